@@ -1,0 +1,51 @@
+# How everything of ours is compiled: standard, warnings, floating point, output folders, instruction sets.
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+set(CMAKE_CXX_VISIBILITY_PRESET hidden)
+set(CMAKE_VISIBILITY_INLINES_HIDDEN ON)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+if(NOT CMAKE_BUILD_TYPE)
+  set(CMAKE_BUILD_TYPE Release)
+endif()
+
+set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/bin)
+set(CMAKE_LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/lib)
+set(CMAKE_ARCHIVE_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/lib)
+set(MESOGEN_PLUGIN_FOLDER lib/mesogen/plugins)
+set(CMAKE_INSTALL_LIBDIR lib)
+
+# Wider instruction sets that pair loops are built for beside the baseline. The folder names are those of glibc-hwcaps:
+# the dynamic linker itself picks the library that fits the processor, and the plugin loader does the same for plugins.
+if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64" AND NOT MESOGEN_SANITIZE)
+  set(MESOGEN_INSTRUCTION_SETS x86-64-v3 x86-64-v4)
+else()
+  set(MESOGEN_INSTRUCTION_SETS "")
+endif()
+
+add_library(mesogen_options INTERFACE)
+target_compile_options(mesogen_options INTERFACE
+  $<$<COMPILE_LANGUAGE:CXX>:-Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Wold-style-cast -Wcast-qual
+                            -Woverloaded-virtual -Wdouble-promotion -Werror -fno-math-errno -fno-trapping-math
+                            -ffp-contract=fast>)
+if(MESOGEN_SANITIZE)
+  target_compile_options(mesogen_options INTERFACE -fsanitize=${MESOGEN_SANITIZE} -fno-omit-frame-pointer -g)
+  target_link_options(mesogen_options INTERFACE -fsanitize=${MESOGEN_SANITIZE})
+endif()
+if(MESOGEN_TIDY)
+  find_program(CLANG_TIDY clang-tidy REQUIRED)
+  set(CMAKE_CXX_CLANG_TIDY ${CLANG_TIDY})
+endif()
+
+if(MESOGEN_CUDA)
+  find_program(MESOGEN_NVCC nvcc HINTS /usr/local/cuda/bin)
+  if(MESOGEN_NVCC)
+    set(CMAKE_CUDA_COMPILER ${MESOGEN_NVCC})
+    if(NOT CMAKE_CUDA_ARCHITECTURES)
+      set(CMAKE_CUDA_ARCHITECTURES 80-real 90)
+    endif()
+    set(CMAKE_CUDA_STANDARD 20)
+    enable_language(CUDA)
+  endif()
+endif()

@@ -1,0 +1,3 @@
+install(TARGETS mesogen_command RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+install(DIRECTORY python/mesogen DESTINATION lib/mesogen/python PATTERN __pycache__ EXCLUDE)
+install(FILES LICENSE README.md DESTINATION share/doc/mesogen)

@@ -1,0 +1,122 @@
+#pragma once
+
+#include "mesogen/field/view.hpp"
+
+namespace mesogen {
+
+/// A run of particles that lie behind each other in storage, and how their coordinates relate to those of the cell
+/// that looks at them: r_i - r_j = (local_i - offset) - local_j.
+template <class Real, int Dim>
+struct Segment {
+  Index begin;
+  Index end;
+  Real offset[Dim];
+};
+
+/// Where each particle's neighbours are: the cell grid as a pair pass sees it. Trivially copyable.
+///
+/// Particles are stored by cell. Cells are narrow along x and as high as the support across it, so the neighbours of a
+/// particle are three short runs of contiguous storage in 2D (nine in 3D), read without a list. Coordinates are kept
+/// relative to a tile (a group of cells of one row): small numbers, so that float stays exact however large the box is
+/// or however far it lies from the origin. The same offsets carry periodic images, so a wrapped box needs no minimum
+/// image in the loop, and boundary copies are no special case: they are cells like others, outside the box.
+template <class Real, int Dim>
+struct Neighbours {
+  const Real* local[Dim];  ///< particle coordinates relative to the tile of their cell, m
+  const Index* cell_begin;
+  const Index* cell_end;
+  const Index* cell_of;  ///< for each particle, the number of its cell inside the box
+  Index particle_count;  ///< real particles
+  int cells[Dim];     ///< cells inside the box
+  int padding[Dim];   ///< layers of cells outside it on either side, for boundary copies
+  int reach[Dim];     ///< how many cells away a neighbour can be
+  bool wrapped[Dim];  ///< does the grid continue on the other side?
+  double width[Dim];  ///< of a cell, m
+  int tile;           ///< cells in a tile, along x
+  Real radius;        ///< support of the kernel, m
+  Real smallest;      ///< added to the square of a distance, so that 1/r is finite for a particle and itself, m^2
+
+  static constexpr int most_segments = Dim == 2 ? 24 : 96;
+
+  [[nodiscard]] MESOGEN_HOST_DEVICE int cell_count() const {
+    int n = 1;
+    for (int d = 0; d < Dim; ++d) n *= cells[d];
+    return n;
+  }
+
+  /// Index into cell_begin of a cell given by its coordinates, which may lie in the padding.
+  [[nodiscard]] MESOGEN_HOST_DEVICE int cell_index(const int (&at)[Dim]) const {
+    int index = 0;
+    for (int d = Dim - 1; d >= 0; --d) index = index * (cells[d] + 2 * padding[d]) + at[d] + padding[d];
+    return index;
+  }
+
+  /// Coordinates of the n-th cell inside the box.
+  MESOGEN_HOST_DEVICE void cell_coordinates(int n, int (&at)[Dim]) const {
+    for (int d = 0; d < Dim; ++d) {
+      at[d] = n % cells[d];
+      n /= cells[d];
+    }
+  }
+
+  /// All runs of particles within reach of a cell; returns their number.
+  MESOGEN_HOST_DEVICE int segments(const int (&centre)[Dim], Segment<Real, Dim>* out) const {
+    int count = 0;
+    const double origin = tile_of(centre[0]).origin;
+    int row[Dim];
+    if constexpr (Dim == 2) {
+      for (row[1] = -reach[1]; row[1] <= reach[1]; ++row[1]) count = add_row(centre, row, origin, out, count);
+    } else {
+      for (row[2] = -reach[2]; row[2] <= reach[2]; ++row[2])
+        for (row[1] = -reach[1]; row[1] <= reach[1]; ++row[1]) count = add_row(centre, row, origin, out, count);
+    }
+    return count;
+  }
+
+  /// A group of cells [first, last] along x that share an origin, the one that holds cell `at`. `first_stored` is the
+  /// cell where `first` is stored: another one if the grid wraps.
+  struct Tile {
+    int first;
+    int last;
+    int first_stored;
+    double origin;
+  };
+  [[nodiscard]] MESOGEN_HOST_DEVICE Tile tile_of(int at) const {
+    const int n = cells[0];
+    if (!wrapped[0] && at < 0) return {-padding[0], -1, -padding[0], -padding[0] * width[0]};
+    if (!wrapped[0] && at >= n) return {n, n + padding[0] - 1, n, n * width[0]};
+    int image = at / n;
+    if (at < image * n) --image;
+    const int stored = (at - image * n) / tile * tile;
+    const int first = image * n + stored;
+    const int last = first + tile < (image + 1) * n ? first + tile - 1 : (image + 1) * n - 1;
+    return {first, last, stored, first * width[0]};
+  }
+
+ private:
+  MESOGEN_HOST_DEVICE int add_row(const int (&centre)[Dim], const int (&row)[Dim], double origin,
+                                  Segment<Real, Dim>* out, int count) const {
+    int at[Dim];
+    Segment<Real, Dim> segment{};
+    for (int d = 1; d < Dim; ++d) {
+      segment.offset[d] = Real(row[d] * width[d]);
+      at[d] = centre[d] + row[d];
+      if (wrapped[d]) at[d] = ((at[d] % cells[d]) + cells[d]) % cells[d];
+    }
+    const int to = centre[0] + reach[0];
+    for (int from = centre[0] - reach[0]; from <= to;) {
+      const Tile t = tile_of(from);
+      const int last = t.last < to ? t.last : to;
+      at[0] = t.first_stored + (from - t.first);
+      segment.begin = cell_begin[cell_index(at)];
+      at[0] = t.first_stored + (last - t.first);
+      segment.end = cell_end[cell_index(at)];
+      segment.offset[0] = Real(t.origin - origin);
+      if (segment.begin < segment.end) out[count++] = segment;
+      from = last + 1;
+    }
+    return count;
+  }
+};
+
+}  // namespace mesogen

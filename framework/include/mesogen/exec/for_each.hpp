@@ -1,0 +1,42 @@
+#pragma once
+
+#include "mesogen/export.hpp"
+#include "mesogen/field/view.hpp"
+
+/// Where the passes of a run are executed.
+namespace mesogen::exec {
+
+/// Host (OpenMP) or a CUDA stream. Only device pointers and a stream cross between libraries; each library launches
+/// its own device code.
+struct Space {
+  void* stream = nullptr;  ///< cudaStream_t, when on a device
+  bool device = false;
+};
+
+#ifdef __CUDACC__
+template <class Function>
+__global__ void run_for_each(Index count, Function function) {
+  const Index i = static_cast<Index>(blockIdx.x) * static_cast<Index>(blockDim.x) + static_cast<Index>(threadIdx.x);
+  if (i < count) function(i);
+}
+#endif
+
+/// function(i) for every i in [0, count), in any order. `function` is trivially copyable and writes only what belongs
+/// to i, so the result does not depend on the order.
+template <class Function>
+void for_each(const Space& space, Index count, const Function& function) {
+#ifdef __CUDACC__
+  if (space.device) {
+    if (count == 0) return;
+    constexpr int block = 128;
+    run_for_each<<<(count + block - 1) / block, block, 0, static_cast<cudaStream_t>(space.stream)>>>(count, function);
+    return;
+  }
+#else
+  (void)space;
+#endif
+#pragma omp parallel for schedule(static)
+  for (Index i = 0; i < count; ++i) function(i);
+}
+
+}  // namespace mesogen::exec

@@ -1,0 +1,105 @@
+#pragma once
+
+#include <cmath>
+
+#include "mesogen/export.hpp"
+
+#ifndef __CUDACC__
+#include <immintrin.h>
+
+#include <experimental/simd>
+#endif
+
+/// The lane type of a pair pass: how many neighbours one instruction handles.
+///
+/// Passes are written once over a lane type. On the CPU it is a SIMD pack of the width this library was compiled for;
+/// on a device, and wherever `Scalar` is asked for, it is the number itself. The functions here are the few operations
+/// beside + - * / that a pass needs.
+namespace mesogen::exec {
+
+#ifndef __CUDACC__
+
+namespace stdx = std::experimental;
+
+template <class Real>
+using Pack = stdx::native_simd<Real>;
+
+template <class Real, class Abi>
+[[gnu::always_inline]] inline stdx::simd<Real, Abi> positive_part(const stdx::simd<Real, Abi>& x) {
+  return stdx::max(x, stdx::simd<Real, Abi>(Real(0)));
+}
+template <class Real, class Abi>
+[[gnu::always_inline]] inline stdx::simd<Real, Abi> square_root(const stdx::simd<Real, Abi>& x) {
+  return stdx::sqrt(x);
+}
+/// a where the condition holds, b elsewhere.
+template <class Real, class Abi>
+[[gnu::always_inline]] inline stdx::simd<Real, Abi> select(const stdx::simd_mask<Real, Abi>& condition, const stdx::simd<Real, Abi>& a,
+                             const stdx::simd<Real, Abi>& b) {
+  stdx::simd<Real, Abi> result = b;
+  stdx::where(condition, result) = a;
+  return result;
+}
+
+/// 1 / sqrt(x) to the rounding of Real: the hardware's estimate and Newton's iteration where that beats a square root
+/// and a division.
+template <class Real, class Abi>
+[[gnu::always_inline]] inline stdx::simd<Real, Abi> inverse_square_root(const stdx::simd<Real, Abi>& x) {
+  using Lane = stdx::simd<Real, Abi>;
+#ifdef __AVX512F__
+  if constexpr (sizeof(Lane) == 64) {
+    const Lane half = x * Real(-0.5);
+    Lane y;
+    if constexpr (sizeof(Real) == 4) {
+      y = Lane(_mm512_rsqrt14_ps(static_cast<__m512>(x)));
+    } else {
+      y = Lane(_mm512_rsqrt14_pd(static_cast<__m512d>(x)));
+      y = y * (half * y * y + Real(1.5));
+    }
+    return y * (half * y * y + Real(1.5));
+  }
+#endif
+#ifdef __AVX__
+  if constexpr (sizeof(Lane) == 32 && sizeof(Real) == 4) {
+    const Lane y(_mm256_rsqrt_ps(static_cast<__m256>(x)));
+    return y * (x * Real(-0.5) * y * y + Real(1.5));
+  }
+#endif
+  return Real(1) / stdx::sqrt(x);
+}
+
+/// total[n] = sum over the lanes of packs[n]; the order of the additions is fixed.
+template <int Count, class Lane, class Real>
+[[gnu::always_inline]] inline void sum_lanes(const Lane (&packs)[Count], Real* total) {
+#ifdef __AVX512F__
+  if constexpr (sizeof(Lane) == 64 && sizeof(Real) == 4) {
+    const auto quarter = [&](int n) {
+      if (n >= Count) return _mm_setzero_ps();
+      const __m512 z = static_cast<__m512>(packs[n]);
+      const __m256 y = _mm256_add_ps(_mm512_castps512_ps256(z), _mm512_extractf32x8_ps(z, 1));
+      return _mm_add_ps(_mm256_castps256_ps128(y), _mm256_extractf128_ps(y, 1));
+    };
+    for (int n = 0; n < Count; n += 4) {
+      const __m128 four = _mm_hadd_ps(_mm_hadd_ps(quarter(n), quarter(n + 1)), _mm_hadd_ps(quarter(n + 2), quarter(n + 3)));
+      alignas(16) float out[4];
+      _mm_store_ps(out, four);
+      for (int m = 0; m < 4 && n + m < Count; ++m) total[n + m] = out[m];
+    }
+    return;
+  }
+#endif
+  for (int n = 0; n < Count; ++n) total[n] = stdx::reduce(packs[n]);
+}
+
+#endif
+
+MESOGEN_HOST_DEVICE inline float positive_part(float x) { return x > 0.0F ? x : 0.0F; }
+MESOGEN_HOST_DEVICE inline double positive_part(double x) { return x > 0.0 ? x : 0.0; }
+MESOGEN_HOST_DEVICE inline float square_root(float x) { return ::sqrtf(x); }
+MESOGEN_HOST_DEVICE inline double square_root(double x) { return ::sqrt(x); }
+MESOGEN_HOST_DEVICE inline float inverse_square_root(float x) { return 1.0F / ::sqrtf(x); }
+MESOGEN_HOST_DEVICE inline double inverse_square_root(double x) { return 1.0 / ::sqrt(x); }
+MESOGEN_HOST_DEVICE inline float select(bool condition, float a, float b) { return condition ? a : b; }
+MESOGEN_HOST_DEVICE inline double select(bool condition, double a, double b) { return condition ? a : b; }
+
+}  // namespace mesogen::exec

@@ -1,0 +1,117 @@
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "mesogen/field/view.hpp"
+#include "mesogen/plugin/parameters.hpp"
+#include "mesogen/plugin/scene.hpp"
+
+namespace mesogen {
+
+namespace sph {
+struct SmoothingKernel;
+}
+
+/// A quantity that an observer records at each sample: a scalar, or rows x columns numbers.
+struct MESOGEN_EXPORT Quantity {
+  std::string name;
+  std::string unit_text = "1";
+  std::string doc_text;
+  /// Numbers in a row; 0: the quantity is one number a sample.
+  std::size_t columns = 0;
+  /// The number of rows may change from sample to sample (defects): stored padded with NaN, the count beside it.
+  bool varying = false;
+
+  Quantity& unit(std::string_view text);
+  Quantity& doc(std::string_view text);
+};
+
+/// What an observer reads and records.
+class MESOGEN_EXPORT ObserverPlan {
+ public:
+  /// Fields it reads when it samples; brought up to date by then. Standard derived fields too (see PassList).
+  void reads(std::string_view field);
+  /// Fields it reads if the scene has them; see ObserverContext::has.
+  void reads_if_present(std::string_view field);
+  /// One number a sample.
+  Quantity& scalar(std::string_view name);
+  /// A table a sample, `columns` numbers a row.
+  Quantity& table(std::string_view name, std::size_t columns);
+  /// Ask for Observer::follow after every step.
+  void follow_every_step();
+
+  [[nodiscard]] const std::vector<std::string>& read_list() const { return reads_; }
+  [[nodiscard]] const std::vector<std::string>& optional_list() const { return optional_; }
+  [[nodiscard]] const std::deque<Quantity>& quantities() const { return quantities_; }
+  [[nodiscard]] bool follows() const { return follows_; }
+
+ private:
+  std::vector<std::string> reads_;
+  std::vector<std::string> optional_;
+  std::deque<Quantity> quantities_;
+  bool follows_ = false;
+};
+
+/// One sample: values by quantity name.
+class MESOGEN_EXPORT Sample {
+ public:
+  void set(std::string_view quantity, double value);
+  /// Row-major; the number of rows is values.size() / columns.
+  void set(std::string_view quantity, std::vector<double> values);
+  [[nodiscard]] const std::map<std::string, std::vector<double>, std::less<>>& values() const { return values_; }
+
+ private:
+  std::map<std::string, std::vector<double>, std::less<>> values_;
+};
+
+/// The state of the run as an observer sees it, on the host. All fields are as declared in the plan, by particle in
+/// storage order, which changes during a run: `id` identifies a particle.
+class MESOGEN_EXPORT ObserverContext {
+ public:
+  ObserverContext() = default;
+  ObserverContext(const ObserverContext&) = delete;
+  ObserverContext& operator=(const ObserverContext&) = delete;
+  virtual ~ObserverContext();
+
+  /// Component `component` of a field at all particles, converted to double. Integrated fields lose no digits.
+  [[nodiscard]] virtual std::vector<double> values(std::string_view field, int component = 0) const = 0;
+  [[nodiscard]] virtual bool has(std::string_view field) const = 0;
+  /// Coordinates in the box, [0, box).
+  [[nodiscard]] virtual std::vector<double> position(int axis) const = 0;
+  /// Coordinates along the particle's path, without jumps at the faces.
+  [[nodiscard]] virtual std::vector<double> unwrapped(int axis) const = 0;
+  [[nodiscard]] virtual const std::vector<std::int64_t>& id() const = 0;
+  [[nodiscard]] virtual const Scene& scene() const = 0;
+  [[nodiscard]] virtual const sph::SmoothingKernel& kernel() const = 0;
+  /// A number that a physics plugin published for observers (Pa, ...), such as "elastic_constant"; NaN if none did.
+  [[nodiscard]] virtual double constant(std::string_view name) const = 0;
+  [[nodiscard]] virtual double time() const = 0;
+  [[nodiscard]] virtual std::int64_t step() const = 0;
+};
+
+/// Watches a run and records numbers; changes nothing. `interval` and `every` are the framework's own keys.
+class MESOGEN_EXPORT Observer {
+ public:
+  Observer() = default;
+  Observer(const Observer&) = delete;
+  Observer& operator=(const Observer&) = delete;
+  virtual ~Observer();
+
+  virtual void parameters(ParameterList& list);
+  virtual void plan(const Scene& scene, ObserverPlan& plan) = 0;
+  /// Called once before the first sample of a run (not when a run is resumed).
+  virtual void start(const ObserverContext& context);
+  virtual void sample(const ObserverContext& context, Sample& sample) = 0;
+  /// After every step, if the plan asked for it.
+  virtual void follow(const ObserverContext& context);
+  /// What it must remember to continue a run, as named lists of numbers; kept in checkpoints.
+  [[nodiscard]] virtual std::map<std::string, std::vector<double>> save() const;
+  virtual void restore(const std::map<std::string, std::vector<double>>& saved);
+};
+
+}  // namespace mesogen

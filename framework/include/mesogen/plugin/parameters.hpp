@@ -1,0 +1,78 @@
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <limits>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "mesogen/export.hpp"
+
+namespace mesogen {
+
+/// One key of a section of a case: the only source for parsing, checks, `plugin info` and the docs.
+struct MESOGEN_EXPORT Parameter {
+  using Rows = std::vector<std::vector<double>>;
+  /// Where the value goes. The value it holds when declared is the default.
+  using Target = std::variant<double*, std::optional<double>*, std::int64_t*, bool*, std::string*, std::vector<double>*,
+                              std::vector<std::string>*, Rows*>;
+
+  std::string name;  ///< "viscosity"; "bulk.A" is key A of the table `bulk`
+  Target target;
+  std::string unit_text = "1";
+  std::string doc_text;
+  std::string word;  ///< stands for "no value" of an optional number, such as "auto"
+  double lowest = -std::numeric_limits<double>::infinity();
+  double highest = std::numeric_limits<double>::infinity();
+  bool lowest_excluded = false;
+  bool highest_excluded = false;
+  bool is_required = false;
+  std::vector<std::string> choice_list;  ///< of a text, or of each text of a list
+  std::vector<std::size_t> size_list;    ///< allowed lengths: of a list of numbers, or of each row; empty: any
+
+  Parameter& unit(std::string_view text);
+  Parameter& doc(std::string_view text);
+  /// Bounds of a number, or of each number of a list.
+  Parameter& at_least(double bound);
+  Parameter& above(double bound);
+  Parameter& at_most(double bound);
+  Parameter& below(double bound);
+  /// The case must give it; there is no default.
+  Parameter& required();
+  Parameter& choices(std::vector<std::string> allowed);
+  Parameter& sizes(std::vector<std::size_t> allowed);
+
+  /// "number", "number or \"auto\"", "integer", "true or false", "text", "list of numbers", ...
+  [[nodiscard]] std::string type_text() const;
+  /// The value now in the target, as TOML writes it; before a case is read, the default.
+  [[nodiscard]] std::string value_text() const;
+  /// "> 0", "0 to 1", "one of: a, b"; empty where everything is allowed.
+  [[nodiscard]] std::string range_text() const;
+};
+
+/// The keys that a plugin, or a section of the case, understands. Each call binds a key to a variable of the caller,
+/// which must outlive the list; the reference that it returns is for `.unit().doc().above()...`.
+class MESOGEN_EXPORT ParameterList {
+ public:
+  Parameter& number(std::string_view name, double& target);
+  /// A number, or `word` for "decide by yourself".
+  Parameter& number_or(std::string_view name, std::optional<double>& target, std::string_view word);
+  Parameter& integer(std::string_view name, std::int64_t& target);
+  Parameter& flag(std::string_view name, bool& target);
+  Parameter& text(std::string_view name, std::string& target);
+  Parameter& numbers(std::string_view name, std::vector<double>& target);
+  Parameter& texts(std::string_view name, std::vector<std::string>& target);
+  /// A list of lists of numbers: [[1, 0, 0.05, 0.3], ...].
+  Parameter& rows(std::string_view name, Parameter::Rows& target);
+
+  [[nodiscard]] const std::deque<Parameter>& all() const { return parameters_; }
+
+ private:
+  Parameter& add(std::string_view name, Parameter::Target target);
+  std::deque<Parameter> parameters_;
+};
+
+}  // namespace mesogen

@@ -1,0 +1,94 @@
+#pragma once
+
+#include <deque>
+#include <functional>
+#include <initializer_list>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "mesogen/export.hpp"
+#include "mesogen/field/rank.hpp"
+
+namespace mesogen {
+
+class PassContext;
+
+/// When in a step a pass runs.
+enum class Phase {
+  begin,  ///< after the half step that predicts the midpoint
+  rates,  ///< at the midpoint: rates of change
+  end,    ///< after the update
+};
+
+/// How a field that the framework advances in time is advanced.
+enum class Advance {
+  never,      ///< only passes write it
+  midpoint,   ///< f += dt * rate, the rate taken at the midpoint
+  predicted,  ///< first by dt/2 with the previous rate, then by dt/2 with the rate at the midpoint (velocity)
+};
+
+/// A field that a plugin introduces.
+struct MESOGEN_EXPORT FieldDeclaration {
+  std::string name;
+  Rank rank = Rank::scalar;
+  std::string unit_text = "1";
+  std::string doc_text;
+  Advance advance = Advance::never;
+  std::string rate;  ///< field that holds its rate of change
+
+  FieldDeclaration& unit(std::string_view text);
+  FieldDeclaration& doc(std::string_view text);
+  /// The framework advances this field with `rate_field`, keeps it in double and in checkpoints.
+  FieldDeclaration& advanced_by(std::string_view rate_field);
+  FieldDeclaration& predicted_by(std::string_view rate_field);
+};
+
+/// One piece of work with the fields that it touches. The scheduler orders passes by these, runs them only if somebody
+/// needs what they write, and refreshes boundary copies before a neighbour's value is read.
+struct MESOGEN_EXPORT Pass {
+  std::string name;
+  Phase phase = Phase::rates;
+  std::vector<std::string> own_reads;         ///< read at the particle itself
+  std::vector<std::string> neighbour_reads;   ///< read at neighbours too
+  std::vector<std::string> optional_reads;    ///< read if the scene has them; see PassContext::has
+  std::vector<std::string> write_list;        ///< overwritten; one writer a field and phase
+  std::vector<std::string> accumulate_list;   ///< added to; the framework zeroes it first, additions in case order
+  std::function<void(const PassContext&)> body;
+
+  Pass& reads(std::initializer_list<std::string_view> fields);
+  Pass& reads_neighbours(std::initializer_list<std::string_view> fields);
+  Pass& reads_if_present(std::initializer_list<std::string_view> fields);
+  Pass& writes(std::initializer_list<std::string_view> fields);
+  Pass& accumulates(std::initializer_list<std::string_view> fields);
+  Pass& run(std::function<void(const PassContext&)> function);
+};
+
+/// What a physics plugin does: its fields and passes.
+///
+/// Fields that the framework offers by itself, made once and only if somebody reads them:
+///   volume          scalar   V = 1 / sum_j W_ij (m^Dim)
+///   correction      matrix   B, inverse of sum_j V_j r_ji (x) grad_i W_ij
+///   X_gradient      d X_c / d x_d as component c * Dim + d, exact for linear X: B . sum_j V_j (X_j - X_i) grad_i W_ij
+///   X_laplacian     2 (2 + Dim) / (2 + tr alpha) sum_j V_j (X_i - X_j) (r_ij . grad_i W_ij) / r_ij^2, each component
+/// for any field X: `velocity_gradient`, `order_tensor_laplacian`, ...
+class MESOGEN_EXPORT PassList {
+ public:
+  FieldDeclaration& field(std::string_view name, Rank rank);
+  Pass& pass(std::string_view name, Phase phase = Phase::rates);
+  /// Particles move with this field (r += dt * velocity) and, beside it, with `shift` (m/s), if any pass adds to that.
+  void moves_particles(std::string_view velocity, std::string_view shift = "");
+
+  [[nodiscard]] const std::deque<FieldDeclaration>& fields() const { return fields_; }
+  [[nodiscard]] const std::deque<Pass>& passes() const { return passes_; }
+  [[nodiscard]] const std::string& velocity() const { return velocity_; }
+  [[nodiscard]] const std::string& shift() const { return shift_; }
+
+ private:
+  std::deque<FieldDeclaration> fields_;
+  std::deque<Pass> passes_;
+  std::string velocity_;
+  std::string shift_;
+};
+
+}  // namespace mesogen

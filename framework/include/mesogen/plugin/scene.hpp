@@ -1,0 +1,51 @@
+#pragma once
+
+#include <array>
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "mesogen/export.hpp"
+#include "mesogen/field/rank.hpp"
+#include "mesogen/field/view.hpp"
+
+namespace mesogen {
+
+/// What a plugin may know of the case beside its own parameters: fixed before the run starts.
+struct Scene {
+  int dimension = 2;
+  Precision precision = Precision::single_precision;
+  std::array<double, 3> box{};    ///< edge lengths, m
+  double spacing = 0.0;           ///< initial distance of particles dx, m
+  double smoothing_length = 0.0;  ///< h, m
+  double support = 0.0;           ///< radius of the kernel, m
+  Index particle_count = 0;
+};
+
+/// Magnitudes that plugins tell each other through the framework, so that one can choose its numerics by another's
+/// physics without knowing it. Each is the largest that any plugin gave; 0: nobody did.
+struct Scales {
+  double stress = 0.0;  ///< largest stress beside pressure and viscosity, Pa
+  double speed = 0.0;   ///< expected or initial speed, m/s
+};
+
+/// Numbers that physics plugins publish for observers.
+using Constants = std::map<std::string, double, std::less<>>;
+
+/// Limits on the step; the smallest binds, and its name is reported.
+class MESOGEN_EXPORT StepLimits {
+ public:
+  struct Limit {
+    std::string name;
+    double seconds;
+  };
+  /// `name` says what limits, such as "viscosity: 0.125 h^2 / nu".
+  void add(std::string name, double seconds);
+  [[nodiscard]] const std::vector<Limit>& all() const { return limits_; }
+
+ private:
+  std::vector<Limit> limits_;
+};
+
+}  // namespace mesogen

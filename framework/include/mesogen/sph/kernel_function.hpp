@@ -1,0 +1,164 @@
+#pragma once
+
+#include "mesogen/exec/lanes.hpp"
+#include "mesogen/sph/kernel_shape.hpp"
+
+namespace mesogen::sph {
+
+namespace detail {
+
+template <int Exponent, class Lane>
+[[gnu::always_inline]] MESOGEN_HOST_DEVICE inline Lane power(const Lane& x) {
+  if constexpr (Exponent == 0) {
+    return Lane(1);
+  } else if constexpr (Exponent == 1) {
+    return x;
+  } else {
+    const Lane half = power<Exponent / 2>(x);
+    if constexpr (Exponent % 2 == 0) {
+      return half * half;
+    } else {
+      return half * half * x;
+    }
+  }
+}
+
+}  // namespace detail
+
+/// A normalised kernel of one unrolled form: `Knots` pieces of `Terms` powers from `Power` up. The coefficients stay
+/// data, so the two kernels of one form share their code. Trivially copyable.
+template <class Real, int Knots, int Terms, int Power>
+class KernelFunction {
+ public:
+  KernelFunction(const KernelShape& shape, double smoothing_length, int dimension) {
+    double scale = shape.normalisation(dimension);
+    for (int d = 0; d < dimension; ++d) scale /= smoothing_length;
+    inverse_length_ = Real(1.0 / smoothing_length);
+    for (int k = 0; k < Knots; ++k) {
+      const auto& piece = shape.pieces[static_cast<unsigned>(k)];
+      knot_[k] = Real(piece.knot);
+      for (int n = 0; n < Terms; ++n) {
+        const double c = piece.coefficients[static_cast<unsigned>(n)] * scale;
+        value_[k][n] = Real(c);
+        slope_[k][n] = Real(-c * (Power + n) / smoothing_length);
+      }
+    }
+  }
+
+  /// W(r), 1/m^Dim.
+  template <class Lane>
+  [[gnu::always_inline]]   MESOGEN_HOST_DEVICE Lane value(const Lane& r) const {
+    return sum<Power>(r * inverse_length_, value_);
+  }
+  /// dW/dr, 1/m^(Dim + 1).
+  template <class Lane>
+  [[gnu::always_inline]]   MESOGEN_HOST_DEVICE Lane derivative(const Lane& r) const {
+    return sum<Power - 1>(r * inverse_length_, slope_);
+  }
+
+ private:
+  template <int Lowest, class Lane>
+  [[gnu::always_inline]]   MESOGEN_HOST_DEVICE Lane sum(const Lane& q, const Real (&coefficient)[Knots][Terms]) const {
+    Lane total(Real(0));
+    for (int k = 0; k < Knots; ++k) {
+      const Lane t = exec::positive_part(Lane(knot_[k]) - q);
+      Lane polynomial(coefficient[k][Terms - 1]);
+      for (int n = Terms - 2; n >= 0; --n) polynomial = polynomial * t + coefficient[k][n];
+      total = detail::power<Lowest>(t) * polynomial + total;
+    }
+    return total;
+  }
+
+  Real inverse_length_;
+  Real knot_[Knots];
+  Real value_[Knots][Terms];
+  Real slope_[Knots][Terms];
+};
+
+/// A kernel of any form, its loops not unrolled: up to 6 knots, 6 terms. Slower; there so that no shape is refused.
+template <class Real>
+class GeneralKernelFunction {
+ public:
+  static constexpr int most = 6;
+
+  GeneralKernelFunction(const KernelShape& shape, double smoothing_length, int dimension)
+      : knots_(static_cast<int>(shape.pieces.size())),
+        terms_(static_cast<int>(shape.pieces.front().coefficients.size())),
+        power_(shape.power),
+        inverse_length_(Real(1.0 / smoothing_length)) {
+    double scale = shape.normalisation(dimension);
+    for (int d = 0; d < dimension; ++d) scale /= smoothing_length;
+    for (int k = 0; k < knots_; ++k) {
+      const auto& piece = shape.pieces[static_cast<unsigned>(k)];
+      knot_[k] = Real(piece.knot);
+      for (int n = 0; n < terms_; ++n) {
+        const double c = piece.coefficients[static_cast<unsigned>(n)] * scale;
+        value_[k][n] = Real(c);
+        slope_[k][n] = Real(-c * (power_ + n) / smoothing_length);
+      }
+    }
+  }
+
+  template <class Lane>
+  [[gnu::always_inline]]   MESOGEN_HOST_DEVICE Lane value(const Lane& r) const {
+    return sum(power_, r * inverse_length_, value_);
+  }
+  template <class Lane>
+  [[gnu::always_inline]]   MESOGEN_HOST_DEVICE Lane derivative(const Lane& r) const {
+    return sum(power_ - 1, r * inverse_length_, slope_);
+  }
+
+ private:
+  template <class Lane>
+  [[gnu::always_inline]]   MESOGEN_HOST_DEVICE Lane sum(int lowest, const Lane& q, const Real (&coefficient)[most][most]) const {
+    Lane total(Real(0));
+    for (int k = 0; k < knots_; ++k) {
+      const Lane t = exec::positive_part(Lane(knot_[k]) - q);
+      Lane polynomial(coefficient[k][terms_ - 1]);
+      for (int n = terms_ - 2; n >= 0; --n) polynomial = polynomial * t + coefficient[k][n];
+      for (int n = 0; n < lowest; ++n) polynomial = polynomial * t;
+      total = total + polynomial;
+    }
+    return total;
+  }
+
+  int knots_;
+  int terms_;
+  int power_;
+  Real inverse_length_;
+  Real knot_[most];
+  Real value_[most][most];
+  Real slope_[most][most];
+};
+
+/// The kernel of a run: its shape and smoothing length.
+struct SmoothingKernel {
+  KernelShape shape;
+  double smoothing_length = 0.0;  ///< h, m
+
+  /// Radius beyond which the kernel is zero, m.
+  [[nodiscard]] double radius() const { return shape.support() * smoothing_length; }
+};
+
+/// The one run-time choice of a pass: calls `action` with the unrolled form that fits the kernel.
+template <class Real, class Action>
+void with_kernel_function(const SmoothingKernel& kernel, int dimension, Action&& action) {
+  const auto& shape = kernel.shape;
+  const auto is = [&](unsigned knots, unsigned terms, int power) {
+    return shape.pieces.size() == knots && shape.pieces.front().coefficients.size() == terms && shape.power == power;
+  };
+  const double h = kernel.smoothing_length;
+  if (is(3, 1, 5)) {
+    action(KernelFunction<Real, 3, 1, 5>(shape, h, dimension));  // quintic spline
+  } else if (is(1, 2, 4)) {
+    action(KernelFunction<Real, 1, 2, 4>(shape, h, dimension));  // Wendland C2
+  } else if (is(1, 3, 6)) {
+    action(KernelFunction<Real, 1, 3, 6>(shape, h, dimension));  // Wendland C4
+  } else if (is(1, 4, 8)) {
+    action(KernelFunction<Real, 1, 4, 8>(shape, h, dimension));  // Wendland C6
+  } else {
+    action(GeneralKernelFunction<Real>(shape, h, dimension));
+  }
+}
+
+}  // namespace mesogen::sph
