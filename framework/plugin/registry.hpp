@@ -1,0 +1,76 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "mesogen/diagnostics/error.hpp"
+#include "mesogen/plugin/boundary.hpp"
+#include "mesogen/plugin/descriptor.hpp"
+#include "mesogen/plugin/kernel.hpp"
+#include "mesogen/plugin/observer.hpp"
+#include "mesogen/plugin/physics.hpp"
+
+namespace mesogen {
+
+/// "kernel", "boundary", "physics", "observer".
+MESOGEN_EXPORT std::string_view to_string(PluginKind kind);
+
+/// A plugin whose library is loaded and whose descriptor was checked. Libraries stay loaded until the process ends, so
+/// the descriptor is valid as long.
+struct LoadedPlugin {
+  const PluginDescriptor* descriptor = nullptr;
+  std::filesystem::path file;   ///< absolute; the one that was loaded
+  std::string instruction_set;  ///< "baseline", "x86-64-v3", "x86-64-v4"
+};
+
+/// A file of a plugin folder that could not be used, and why.
+struct RefusedPlugin {
+  std::filesystem::path file;
+  std::string reason;
+};
+
+/// All plugins that can be used.
+class MESOGEN_EXPORT PluginRegistry {
+ public:
+  /// Searches `folders` (--plugin-path), then those of the variable MESOGEN_PLUGIN_PATH (separated by colons), then the
+  /// folder of this installation. Throws Error if one of `folders` is no folder, and if two files offer plugins of the
+  /// same kind and name.
+  static PluginRegistry scan(const std::vector<std::filesystem::path>& folders = {});
+  /// Searches these folders and no others.
+  static PluginRegistry only(const std::vector<std::filesystem::path>& folders);
+
+  /// Sorted by kind and name.
+  [[nodiscard]] const std::vector<LoadedPlugin>& all() const { return plugins_; }
+  /// nullptr if there is none.
+  [[nodiscard]] const LoadedPlugin* find(PluginKind kind, std::string_view name) const;
+  /// Sorted.
+  [[nodiscard]] std::vector<std::string> names(PluginKind kind) const;
+  [[nodiscard]] const std::vector<RefusedPlugin>& refused() const { return refused_; }
+  /// Each as one line: file and reason.
+  [[nodiscard]] std::vector<std::string> refusals() const;
+
+  /// Why there is no such plugin: plugin_refused if a file of that name was refused, bad_case otherwise ("no kernel is
+  /// called "quintik"; did you mean "quintic"? There are: quintic, ..."). For a case, put its place before what().
+  [[nodiscard]] Error missing(PluginKind kind, std::string_view name) const;
+
+  /// A new object each. Throw missing(), and Error if the plugin has no form for this precision and dimension.
+  [[nodiscard]] std::unique_ptr<Kernel> make_kernel(std::string_view name) const;
+  [[nodiscard]] std::unique_ptr<Boundary> make_boundary(std::string_view name) const;
+  [[nodiscard]] std::unique_ptr<Observer> make_observer(std::string_view name) const;
+  [[nodiscard]] std::unique_ptr<Physics> make_physics(std::string_view name, Precision precision, int dimension) const;
+
+ private:
+  void add_folder(const std::filesystem::path& folder);
+  void add_file(const std::filesystem::path& file);
+  void sort();
+  void* create(PluginKind kind, std::string_view name, Precision precision, int dimension) const;
+
+  std::vector<std::filesystem::path> folders_;  // canonical, each searched once
+  std::vector<LoadedPlugin> plugins_;
+  std::vector<RefusedPlugin> refused_;
+};
+
+}  // namespace mesogen
