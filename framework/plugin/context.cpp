@@ -1,0 +1,7 @@
+#include "mesogen/plugin/context.hpp"
+
+namespace mesogen {
+
+PassContext::~PassContext() = default;
+
+}  // namespace mesogen

@@ -1,0 +1,86 @@
+#include "mesogen/plugin/passes.hpp"
+
+#include <utility>
+
+namespace mesogen {
+
+namespace {
+
+void append(std::vector<std::string>& list, std::initializer_list<std::string_view> fields) {
+  for (const auto field : fields) list.emplace_back(field);
+}
+
+}  // namespace
+
+FieldDeclaration& FieldDeclaration::unit(std::string_view text) {
+  unit_text = text;
+  return *this;
+}
+
+FieldDeclaration& FieldDeclaration::doc(std::string_view text) {
+  doc_text = text;
+  return *this;
+}
+
+FieldDeclaration& FieldDeclaration::advanced_by(std::string_view rate_field) {
+  advance = Advance::midpoint;
+  rate = rate_field;
+  return *this;
+}
+
+FieldDeclaration& FieldDeclaration::predicted_by(std::string_view rate_field) {
+  advance = Advance::predicted;
+  rate = rate_field;
+  return *this;
+}
+
+Pass& Pass::reads(std::initializer_list<std::string_view> fields) {
+  append(own_reads, fields);
+  return *this;
+}
+
+Pass& Pass::reads_neighbours(std::initializer_list<std::string_view> fields) {
+  append(neighbour_reads, fields);
+  return *this;
+}
+
+Pass& Pass::reads_if_present(std::initializer_list<std::string_view> fields) {
+  append(optional_reads, fields);
+  return *this;
+}
+
+Pass& Pass::writes(std::initializer_list<std::string_view> fields) {
+  append(write_list, fields);
+  return *this;
+}
+
+Pass& Pass::accumulates(std::initializer_list<std::string_view> fields) {
+  append(accumulate_list, fields);
+  return *this;
+}
+
+Pass& Pass::run(std::function<void(const PassContext&)> function) {
+  body = std::move(function);
+  return *this;
+}
+
+FieldDeclaration& PassList::field(std::string_view name, Rank rank) {
+  FieldDeclaration& field = fields_.emplace_back();
+  field.name = name;
+  field.rank = rank;
+  return field;
+}
+
+Pass& PassList::pass(std::string_view name, Phase phase) {
+  Pass& pass = passes_.emplace_back();
+  pass.name = name;
+  pass.phase = phase;
+  return pass;
+}
+
+void PassList::moves_particles(std::string_view velocity, std::string_view shift) {
+  velocity_ = velocity;
+  shift_ = shift;
+}
+
+}  // namespace mesogen
