@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "mesogen/export.hpp"
+#include "mesogen/field/rank.hpp"
+
+namespace mesogen {
+
+/// Everything needed to continue a run to the same bits.
+struct Checkpoint {
+  std::int64_t step = 0;
+  double time = 0.0;       ///< s
+  double step_size = 0.0;  ///< s
+  std::string case_text;
+  std::string version;
+  Precision precision = Precision::single_precision;
+  int dimension = 2;
+  std::map<std::string, std::vector<double>> numbers;
+  std::map<std::string, std::vector<std::int64_t>> integers;
+  std::map<std::string, std::map<std::string, std::vector<double>>> observers;  ///< by observer, what it saved
+
+  bool operator==(const Checkpoint&) const = default;
+};
+
+/// Replaces the older of the folder's two checkpoints, checkpoint_a.h5 and checkpoint_b.h5. The file appears whole or
+/// not at all and is on disk when this returns. Throws Error(run_failed).
+MESOGEN_EXPORT void write_checkpoint(const std::filesystem::path& folder, const Checkpoint& checkpoint);
+
+/// Is there a checkpoint, valid or not? If not, a killed run starts anew.
+MESOGEN_EXPORT bool has_checkpoint(const std::filesystem::path& folder);
+
+/// Reads one file. Throws Error(bad_case) if it is truncated, damaged, or not a checkpoint.
+MESOGEN_EXPORT Checkpoint read_checkpoint(const std::filesystem::path& file);
+
+/// Says why a checkpoint does not fit (other version, other case); empty if it does.
+using CheckpointCheck = std::function<std::string(const Checkpoint&)>;
+
+/// The newest checkpoint of a folder that is whole and passes `check`. `which` is given its file name, `refused` a line
+/// for each newer one that was not used: "checkpoint_b.h5: truncated: ...".
+/// Throws Error(bad_case) with all reasons if there is none.
+MESOGEN_EXPORT Checkpoint read_newest_checkpoint(const std::filesystem::path& folder, std::string* which = nullptr,
+                                                 std::vector<std::string>* refused = nullptr,
+                                                 const CheckpointCheck& check = {});
+
+}  // namespace mesogen

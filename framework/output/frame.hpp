@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "mesogen/export.hpp"
+
+namespace mesogen {
+
+/// One field of a frame, all particles in the order of their id.
+struct FrameField {
+  std::string name;
+  std::string unit;
+  int components = 1;
+  std::vector<double> values;  ///< particles x components, row by row
+  bool single = false;         ///< store as 32-bit numbers
+};
+
+namespace output {
+
+/// A field without its values.
+struct FieldShape {
+  std::string name;
+  std::string unit;
+  int components = 1;
+  bool single = false;
+
+  bool operator==(const FieldShape&) const = default;
+};
+
+/// When a frame was taken.
+struct FrameStamp {
+  std::int64_t step = 0;
+  double time = 0.0;  ///< s
+
+  bool operator==(const FrameStamp&) const = default;
+};
+
+/// frames/000012.h5, relative to the folder of the run.
+MESOGEN_EXPORT std::string frame_name(std::size_t number);
+
+/// Writes a frame to a file of its own; on disk when it returns.
+MESOGEN_EXPORT void write_frame(const std::filesystem::path& file, const std::vector<FrameField>& fields,
+                                const FrameStamp& stamp);
+
+}  // namespace output
+}  // namespace mesogen

@@ -1,0 +1,80 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "mesogen/export.hpp"
+#include "mesogen/field/view.hpp"
+#include "mesogen/plugin/observer.hpp"
+#include "output/frame.hpp"
+#include "output/sample_store.hpp"
+
+namespace mesogen {
+
+/// What is written of a run whatever its plugins are.
+struct ResultsOptions {
+  std::filesystem::path folder;  ///< made ready by start_run_folder()
+  std::array<double, 3> box{};   ///< edges, m
+  int dimension = 2;
+  std::vector<bool> periodic;  ///< by axis
+  std::string case_text;       ///< resolved
+  std::string version;
+  std::string build;
+  std::int64_t seed = 0;
+  Index count = 0;  ///< particles
+};
+
+/// The results of a run, results.h5: H5MD 1.1 (de Buyl, Colberg, Hoefling, Comput. Phys. Commun. 185, 1546 (2014)).
+///
+/// Whenever the process dies, results.h5 is a valid file with every frame that add_frame() returned from. No file is
+/// ever changed in place: each frame is a file of its own under frames/, and results.h5, small and virtual (its
+/// particle datasets are views of the frames), is written anew beside the old one and renamed over it. finish() packs
+/// everything into one self-contained results.h5.
+///
+/// Steps must not decrease. All functions throw Error(run_failed) if the disk is full, the folder is gone, ...; what
+/// was written before stays readable.
+class MESOGEN_EXPORT ResultsWriter {
+ public:
+  using Options = ResultsOptions;
+
+  /// Begins the results of a new run in a folder that holds none.
+  static ResultsWriter create(Options options);
+  /// Continues results, finished ones too: drops all samples and frames later than `last_step` and keeps the rest.
+  /// With last_step < 0 nothing is kept, and results.h5 may be missing.
+  /// Throws Error(bad_case) if the folder's results cannot be read or belong to a different run.
+  static ResultsWriter resume(Options options, std::int64_t last_step);
+
+  /// Needed before the first sample, on resuming too. Throws Error(bad_case) if resumed samples have another shape.
+  void declare_observable(const std::string& observer, const Quantity& quantity);
+  /// Kept in memory until flush(). Every declared quantity must be there, nothing else. A sample at the step of the
+  /// observer's last one is ignored.
+  void add_sample(const std::string& observer, const Sample& sample, std::int64_t step, double time);
+  /// On disk when it returns, and all samples with it. The fields are the same in each frame; one of them is
+  /// `position`. A frame at the step of the last one is ignored.
+  void add_frame(const std::vector<FrameField>& fields, std::int64_t step, double time);
+  /// All samples are on disk when it returns. Call it before each checkpoint.
+  void flush();
+  /// Packs the run into one file and removes frames/. Uses the memory of one field of one frame.
+  void finish();
+
+  [[nodiscard]] std::int64_t frame_count() const { return static_cast<std::int64_t>(frames_.size()); }
+  /// Step of the last frame; -1 if there is none.
+  [[nodiscard]] std::int64_t last_frame_step() const { return frames_.empty() ? -1 : frames_.back().step; }
+  /// Step of the last sample of an observer; -1 if there is none.
+  [[nodiscard]] std::int64_t last_sample_step(const std::string& observer) const;
+
+ private:
+  explicit ResultsWriter(Options options);
+  void write_views();
+
+  Options options_;
+  std::vector<output::FieldShape> fields_;
+  std::vector<output::FrameStamp> frames_;
+  output::SampleStore samples_;
+  bool changed_ = true;  ///< something is not in results.h5 yet
+};
+
+}  // namespace mesogen

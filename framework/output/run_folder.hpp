@@ -1,0 +1,39 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "mesogen/export.hpp"
+
+namespace mesogen {
+
+/// Keeps a second process out of the folder of a run. Released when it is destroyed or the process dies, however it
+/// dies.
+class MESOGEN_EXPORT RunLock {
+ public:
+  /// The folder must exist. Throws Error(bad_case) if another process holds the lock.
+  explicit RunLock(const std::filesystem::path& folder);
+  RunLock(RunLock&& other) noexcept;
+  RunLock& operator=(RunLock&& other) noexcept;
+  RunLock(const RunLock&) = delete;
+  RunLock& operator=(const RunLock&) = delete;
+  ~RunLock();
+
+ private:
+  int file_ = -1;
+};
+
+/// Does the folder hold files of a run?
+MESOGEN_EXPORT bool holds_run(const std::filesystem::path& folder);
+
+/// Makes a folder ready for a new run and stores the resolved case in it as case.toml. A new folder appears with its
+/// case.toml or not at all, so a run killed at any moment can be resumed if its folder is there.
+/// With `overwrite`, the files that a run writes are removed first; any other file stays.
+/// Throws Error(bad_case) if the folder holds a run and may not be overwritten, is in use, or cannot be made.
+[[nodiscard]] MESOGEN_EXPORT RunLock start_run_folder(const std::filesystem::path& folder, const std::string& case_text,
+                                                      bool overwrite);
+
+/// The resolved case of the run in a folder. Throws Error(bad_case) if there is none.
+MESOGEN_EXPORT std::string stored_case(const std::filesystem::path& folder);
+
+}  // namespace mesogen
