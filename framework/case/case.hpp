@@ -1,0 +1,122 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "case/problems.hpp"
+#include "case/section.hpp"
+#include "mesogen/export.hpp"
+#include "mesogen/field/rank.hpp"
+#include "mesogen/plugin/parameters.hpp"
+
+namespace mesogen {
+
+/// A plugin that the case asks for. Whether there is such a plugin is for the registry to say.
+struct PluginChoice {
+  std::string type;      ///< name of the plugin; empty if a problem was reported
+  std::string instance;  ///< "flow" of [physics.flow]; "kernel"; "boundary"
+  CaseSection section;
+  std::string type_key;                     ///< full key of the name, "physics.flow.type", for messages
+  SourcePlace type_place;                   ///< where the name stands
+  std::vector<std::string> framework_keys;  ///< keys of the section that the framework reads
+
+  /// Reads the plugin's own parameters.
+  void read(const ParameterList& list, Problems& problems) const { section.read(list, problems, framework_keys); }
+};
+
+/// When an observer samples beside the start and the end of a run: at most one of the two is given.
+struct ObserverTiming {
+  std::optional<double> interval;     ///< s of simulated time
+  std::optional<std::int64_t> every;  ///< steps
+};
+
+/// A case, checked, without the plugins' own parameters.
+struct MESOGEN_EXPORT Case {
+  /// x, y, wave numbers or amplitudes: the meaning of a row is given where it is used.
+  using Rows = Parameter::Rows;
+
+  struct Domain {
+    std::vector<double> size;  ///< edge lengths, m; two numbers
+  };
+  struct Particles {
+    double spacing = 0.0;                 ///< m
+    std::string arrangement = "lattice";  ///< lattice, hexagonal or jittered
+    std::int64_t seed = 1;
+    double jitter = 0.2;  ///< largest shift along each axis, in spacings; jittered only
+  };
+  struct Director {
+    bool given = false;
+    std::string type = "uniform";  ///< uniform, perturbed, modes or defects
+    double angle = 0.0;            ///< rad, added to all others
+    double order = 1.0;            ///< magnitude q of the order tensor
+    double amplitude = 0.0;        ///< perturbed: largest deviation, rad
+    std::int64_t seed = 1;         ///< perturbed
+    Rows modes;                    ///< rows mx, my, amplitude (rad), phase (rad)
+    Rows defects;                  ///< rows x (m), y (m), charge (+0.5 or -0.5)
+    double core = 0.0;             ///< defects: core radius, m; by default the spacing
+  };
+  struct Velocity {
+    bool given = false;
+    std::string type = "rest";               ///< rest, uniform or modes
+    std::vector<double> value = {0.0, 0.0};  ///< uniform: m/s
+    Rows modes;                              ///< rows mx, my, amplitude of the stream function (m^2/s), phase (rad)
+  };
+  struct Colour {
+    bool given = false;
+    std::string type = "quarter";  ///< 1 where x < Lx/2 and y < Ly/2, else 0
+  };
+  struct Time {
+    double end = 0.0;            ///< s
+    std::optional<double> step;  ///< s; none: chosen automatically
+    double factor = 1.0;         ///< automatic step in multiples of its stability limit
+  };
+  struct Output {
+    double interval = 0.0;              ///< s of simulated time; by default the end of the run
+    double checkpoint_interval = 60.0;  ///< s of wall time
+    /// Without position, which is always stored. If not given in the case: those of these that the scene has.
+    std::vector<std::string> fields = {"velocity", "order_tensor"};
+    bool fields_given = false;
+  };
+  struct Run {
+    Precision precision = Precision::single_precision;
+    std::string device = "cpu";
+  };
+
+  std::string title;
+  std::string file;  ///< as given, for messages
+  Domain domain;
+  Particles particles;
+  PluginChoice boundary;
+  PluginChoice kernel;
+  double smoothing_length_ratio = 4.0 / 3.0;  ///< h in particle spacings; key kernel.smoothing_length
+  Director director;
+  Velocity velocity;
+  Colour colour;
+  Time time;
+  std::vector<PluginChoice> physics;    ///< in the order of the file
+  std::vector<PluginChoice> observers;  ///< in the order of the file
+  std::vector<ObserverTiming> timings;  ///< of each observer
+  Output output;
+  Run run;
+  /// The case as TOML with overrides applied and every default of the framework filled in. Reads back to the same
+  /// case. Plugins' defaults are added by ResolvedCase (case/resolved.hpp).
+  std::string resolved_text;
+  std::shared_ptr<const Value> tree;  ///< everything as it stands in the file
+
+  /// Where a key stands, or the innermost table on the way to it.
+  [[nodiscard]] SourcePlace place(std::string_view dotted_key) const;
+};
+
+/// Reads a case file. Never throws for what is wrong with the case: all of that is added to `problems`, and the case
+/// is then not to be used beyond its plugin choices, whose parameters can still be checked.
+/// `overrides` are texts such as "physics.nematic.activity=0.05"; the value is TOML, or else taken as a text.
+MESOGEN_EXPORT Case read_case(const std::string& path, const std::vector<std::string>& overrides, Problems& problems);
+/// The same from a text; `name` stands for the file in messages.
+MESOGEN_EXPORT Case read_case_text(std::string_view text, const std::string& name,
+                                   const std::vector<std::string>& overrides, Problems& problems);
+
+}  // namespace mesogen

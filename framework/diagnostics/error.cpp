@@ -1,0 +1,7 @@
+#include "mesogen/diagnostics/error.hpp"
+
+namespace mesogen {
+
+Error::~Error() = default;
+
+}  // namespace mesogen
