@@ -6,9 +6,9 @@ Physics::~Physics() = default;
 
 void Physics::scales(Scales&) const {}
 
-void Physics::prepare(const Scene&, const Scales&) {}
-
 void Physics::constants(Constants&) const {}
+
+void Physics::prepare(const Scene&) {}
 
 void Physics::step_limits(const Scene&, StepLimits&) const {}
 

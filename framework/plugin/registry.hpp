@@ -63,6 +63,7 @@ class MESOGEN_EXPORT PluginRegistry {
   [[nodiscard]] std::unique_ptr<Physics> make_physics(std::string_view name, Precision precision, int dimension) const;
 
  private:
+  [[nodiscard]] std::vector<std::string> paths() const;
   void add_folder(const std::filesystem::path& folder);
   void add_file(const std::filesystem::path& file);
   void sort();

@@ -26,13 +26,19 @@ void* create_templated(Precision precision, int dimension) {
 
 }  // namespace mesogen::detail
 
-#define MESOGEN_PLUGIN_(KIND, CREATE, NAME, VERSION, SUMMARY)                                                       \
-  namespace mesogen_plugin_export {                                                                                \
-  extern "C" MESOGEN_EXPORT const ::mesogen::PluginDescriptor descriptor;                                           \
-  const ::mesogen::PluginDescriptor descriptor{::mesogen::descriptor_magic, ::mesogen::abi_number,                  \
-                                               sizeof(::mesogen::PluginDescriptor), MESOGEN_BUILD_TAG,              \
-                                               ::mesogen::PluginKind::KIND, NAME, VERSION, SUMMARY, CREATE};        \
-  }                                                                                                                \
+#define MESOGEN_PLUGIN_(KIND, CREATE, NAME, VERSION, SUMMARY)                           \
+  namespace mesogen_plugin_export {                                                     \
+  /* Internal to the library: only the alias below is exported. */                      \
+  constexpr ::mesogen::PluginDescriptor descriptor{::mesogen::descriptor_magic,         \
+                                                   ::mesogen::abi_number,               \
+                                                   sizeof(::mesogen::PluginDescriptor), \
+                                                   MESOGEN_BUILD_TAG,                   \
+                                                   ::mesogen::PluginKind::KIND,         \
+                                                   NAME,                                \
+                                                   VERSION,                             \
+                                                   SUMMARY,                             \
+                                                   CREATE};                             \
+  }                                                                                     \
   BOOST_DLL_ALIAS(mesogen_plugin_export::descriptor, mesogen_plugin)
 
 #define MESOGEN_KERNEL_PLUGIN(CLASS, NAME, VERSION, SUMMARY) \

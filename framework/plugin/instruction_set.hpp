@@ -1,0 +1,27 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "mesogen/export.hpp"
+
+namespace mesogen::plugin {
+
+/// Instruction sets that plugins may be built for beside the baseline, that this processor has, best first. The
+/// variable MESOGEN_SIMD (baseline, x86-64-v3 or x86-64-v4) caps them; Error if it holds another word.
+MESOGEN_EXPORT std::vector<std::string> usable_instruction_sets();
+
+/// The same, for a given processor (all that it has, best first) and cap (empty: none).
+MESOGEN_EXPORT std::vector<std::string> capped(const std::vector<std::string>& sets, std::string_view cap);
+
+struct Variant {
+  std::filesystem::path file;
+  std::string instruction_set;
+};
+
+/// Which file to load for a plugin: the one of the same name in a sub-folder named like the best of `sets`, or itself.
+MESOGEN_EXPORT Variant best_variant(const std::filesystem::path& file, const std::vector<std::string>& sets);
+
+}  // namespace mesogen::plugin

@@ -1,0 +1,187 @@
+#include "plugin/registry.hpp"
+
+#include <dlfcn.h>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <sstream>
+#include <system_error>
+#include <tuple>
+
+#include "case/nearest.hpp"
+#include "plugin/instruction_set.hpp"
+#include "plugin/loader.hpp"
+
+namespace mesogen {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// <folder of libmesogen>/mesogen/plugins
+fs::path installed_folder() {
+  Dl_info info{};
+  // Any symbol of this library tells where it lies.
+  if (dladdr(reinterpret_cast<const void*>(&installed_folder), &info) == 0 || info.dli_fname == nullptr) return {};
+  return fs::absolute(info.dli_fname).parent_path() / "mesogen" / "plugins";
+}
+
+std::vector<fs::path> folders_of_environment() {
+  std::vector<fs::path> folders;
+  const char* value = std::getenv("MESOGEN_PLUGIN_PATH");
+  std::istringstream in(value == nullptr ? "" : value);
+  for (std::string folder; std::getline(in, folder, ':');)
+    if (!folder.empty()) folders.emplace_back(folder);
+  return folders;
+}
+
+void require_folder(const fs::path& folder) {
+  std::error_code ignored;
+  if (!fs::is_directory(folder, ignored))
+    throw Error(ExitCode::bad_case, fmt::format("plugin folder {} does not exist or is no folder", folder.string()));
+}
+
+auto order(const LoadedPlugin& plugin) {
+  return std::tuple(plugin.descriptor->kind, std::string_view(plugin.descriptor->name));
+}
+
+}  // namespace
+
+std::string_view to_string(PluginKind kind) {
+  switch (kind) {
+    case PluginKind::kernel: return "kernel";
+    case PluginKind::boundary: return "boundary";
+    case PluginKind::physics: return "physics";
+    case PluginKind::observer: return "observer";
+  }
+  return "plugin";
+}
+
+PluginRegistry PluginRegistry::only(const std::vector<fs::path>& folders) {
+  PluginRegistry registry;
+  for (const auto& folder : folders) {
+    require_folder(folder);
+    registry.add_folder(folder);
+  }
+  registry.sort();
+  return registry;
+}
+
+PluginRegistry PluginRegistry::scan(const std::vector<fs::path>& folders) {
+  PluginRegistry registry;
+  for (const auto& folder : folders) {
+    require_folder(folder);
+    registry.add_folder(folder);
+  }
+  for (const auto& folder : folders_of_environment()) registry.add_folder(folder);
+  registry.add_folder(installed_folder());
+  registry.sort();
+  return registry;
+}
+
+void PluginRegistry::add_folder(const fs::path& folder) {
+  std::error_code error;
+  const fs::path where = fs::canonical(folder, error);
+  if (error || !fs::is_directory(where, error)) return;
+  if (std::ranges::find(folders_, where) != folders_.end()) return;
+  folders_.push_back(where);
+  std::vector<fs::path> files;
+  for (fs::directory_iterator entry(where, error), end; !error && entry != end; entry.increment(error))
+    if (entry->path().extension() == ".so" && !fs::is_directory(entry->status())) files.push_back(entry->path());
+  if (error) refused_.push_back({where, "the folder cannot be read (" + error.message() + ")"});
+  std::ranges::sort(files);
+  for (const auto& file : files) add_file(file);
+}
+
+void PluginRegistry::add_file(const fs::path& file) {
+  const auto [chosen, instruction_set] = plugin::best_variant(file, plugin::usable_instruction_sets());
+  const plugin::LoadResult loaded = plugin::load(chosen);
+  if (loaded.descriptor == nullptr) {
+    refused_.push_back({chosen, loaded.problem});
+    return;
+  }
+  const auto& found = *loaded.descriptor;
+  if (const auto* other = find(found.kind, found.name)) {
+    // A link to a file that was loaded already is no second plugin.
+    if (std::error_code ignored; fs::equivalent(other->file, chosen, ignored)) return;
+    throw Error(ExitCode::plugin_refused,
+                fmt::format("two plugins of the kind {} are called \"{}\": {} and {}; remove or rename one",
+                            to_string(found.kind), found.name, other->file.string(), chosen.string()));
+  }
+  plugins_.push_back({loaded.descriptor, chosen, instruction_set});
+}
+
+void PluginRegistry::sort() { std::ranges::sort(plugins_, {}, order); }
+
+const LoadedPlugin* PluginRegistry::find(PluginKind kind, std::string_view name) const {
+  const auto found = std::ranges::find_if(
+      plugins_, [&](const LoadedPlugin& p) { return p.descriptor->kind == kind && p.descriptor->name == name; });
+  return found == plugins_.end() ? nullptr : &*found;
+}
+
+std::vector<std::string> PluginRegistry::names(PluginKind kind) const {
+  std::vector<std::string> names;
+  for (const auto& plugin : plugins_)
+    if (plugin.descriptor->kind == kind) names.emplace_back(plugin.descriptor->name);
+  return names;
+}
+
+std::vector<std::string> PluginRegistry::refusals() const {
+  std::vector<std::string> lines;
+  lines.reserve(refused_.size());
+  for (const auto& refused : refused_) lines.push_back(fmt::format("{}: {}", refused.file.string(), refused.reason));
+  return lines;
+}
+
+Error PluginRegistry::missing(PluginKind kind, std::string_view name) const {
+  for (const auto& refused : refused_)
+    if (refused.file.stem() == name)
+      return {ExitCode::plugin_refused, fmt::format("the {} plugin \"{}\" was refused: {}: {}", to_string(kind), name,
+                                                    refused.file.string(), refused.reason)};
+  const auto known = names(kind);
+  if (known.empty())
+    return {ExitCode::bad_case,
+            fmt::format("there is no {} plugin at all; looked in: {}", to_string(kind), fmt::join(paths(), ", "))};
+  return {ExitCode::bad_case, fmt::format("no {} plugin is called \"{}\"{}; there are: {}", to_string(kind), name,
+                                          did_you_mean(name, known), fmt::join(known, ", "))};
+}
+
+std::vector<std::string> PluginRegistry::paths() const {
+  std::vector<std::string> paths;
+  for (const auto& folder : folders_) paths.push_back(folder.string());
+  return paths;
+}
+
+void* PluginRegistry::create(PluginKind kind, std::string_view name, Precision precision, int dimension) const {
+  const auto* plugin = find(kind, name);
+  if (plugin == nullptr) throw missing(kind, name);
+  void* object = plugin->descriptor->create(precision, dimension);
+  if (object == nullptr)
+    throw Error(ExitCode::bad_case,
+                fmt::format("the {} plugin \"{}\" has no form for {} dimensions in {} precision", to_string(kind), name,
+                            dimension, precision == Precision::single_precision ? "single" : "double"));
+  return object;
+}
+
+std::unique_ptr<Kernel> PluginRegistry::make_kernel(std::string_view name) const {
+  return std::unique_ptr<Kernel>(
+      static_cast<Kernel*>(create(PluginKind::kernel, name, Precision::double_precision, 2)));
+}
+
+std::unique_ptr<Boundary> PluginRegistry::make_boundary(std::string_view name) const {
+  return std::unique_ptr<Boundary>(
+      static_cast<Boundary*>(create(PluginKind::boundary, name, Precision::double_precision, 2)));
+}
+
+std::unique_ptr<Observer> PluginRegistry::make_observer(std::string_view name) const {
+  return std::unique_ptr<Observer>(
+      static_cast<Observer*>(create(PluginKind::observer, name, Precision::double_precision, 2)));
+}
+
+std::unique_ptr<Physics> PluginRegistry::make_physics(std::string_view name, Precision precision, int dimension) const {
+  return std::unique_ptr<Physics>(static_cast<Physics*>(create(PluginKind::physics, name, precision, dimension)));
+}
+
+}  // namespace mesogen

@@ -1,0 +1,32 @@
+#include <gtest/gtest.h>
+
+#include "boundary_checks.hpp"
+#include "test_plugins.hpp"
+
+namespace {
+
+using namespace mesogen;
+using namespace mesogen::test;
+
+TEST(PeriodicWrap, KeepsParticlesInside) { expect_keeps_inside("periodic_wrap"); }
+
+TEST(PeriodicWrap, WrapsTheGridAndMakesNoCopies) {
+  const auto boundary = built_plugins().make_boundary("periodic_wrap");
+  const Scene scene = scene_of(2, {1.0, 1.0, 0.0});
+  Copies copies = copies_of(*boundary, scene, lattice(scene, 8), 0.4);
+  EXPECT_TRUE(boundary->wraps(0));
+  EXPECT_TRUE(boundary->wraps(1));
+  EXPECT_TRUE(copies.source.empty());
+  EXPECT_TRUE(copies.offset.empty());
+}
+
+TEST(PeriodicWrap, LeavesThirdAxisAloneInTwoDimensions) {
+  const auto boundary = built_plugins().make_boundary("periodic_wrap");
+  std::array<double, 3> position{1.5, -0.5, 7.0};
+  std::array<std::int32_t, 3> images{};
+  boundary->keep_inside(scene_of(2, {1.0, 1.0, 0.0}), position.data(), images.data());
+  EXPECT_EQ(position, (std::array<double, 3>{0.5, 0.5, 7.0}));
+  EXPECT_EQ(images, (std::array<std::int32_t, 3>{1, -1, 0}));
+}
+
+}  // namespace
