@@ -1,31 +1,14 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
-#include <filesystem>
 #include <string>
 #include <vector>
 
 #include "mesogen/export.hpp"
-#include "mesogen/field/view.hpp"
 #include "mesogen/plugin/observer.hpp"
-#include "output/frame.hpp"
-#include "output/sample_store.hpp"
+#include "output/results_content.hpp"
 
 namespace mesogen {
-
-/// What is written of a run whatever its plugins are.
-struct ResultsOptions {
-  std::filesystem::path folder;  ///< made ready by start_run_folder()
-  std::array<double, 3> box{};   ///< edges, m
-  int dimension = 2;
-  std::vector<bool> periodic;  ///< by axis
-  std::string case_text;       ///< resolved
-  std::string version;
-  std::string build;
-  std::int64_t seed = 0;
-  Index count = 0;  ///< particles
-};
 
 /// The results of a run, results.h5: H5MD 1.1 (de Buyl, Colberg, Hoefling, Comput. Phys. Commun. 185, 1546 (2014)).
 ///
@@ -60,9 +43,11 @@ class MESOGEN_EXPORT ResultsWriter {
   /// Packs the run into one file and removes frames/. Uses the memory of one field of one frame.
   void finish();
 
-  [[nodiscard]] std::int64_t frame_count() const { return static_cast<std::int64_t>(frames_.size()); }
+  [[nodiscard]] std::int64_t frame_count() const { return static_cast<std::int64_t>(content_.frames.size()); }
   /// Step of the last frame; -1 if there is none.
-  [[nodiscard]] std::int64_t last_frame_step() const { return frames_.empty() ? -1 : frames_.back().step; }
+  [[nodiscard]] std::int64_t last_frame_step() const {
+    return content_.frames.empty() ? -1 : content_.frames.back().step;
+  }
   /// Step of the last sample of an observer; -1 if there is none.
   [[nodiscard]] std::int64_t last_sample_step(const std::string& observer) const;
 
@@ -71,10 +56,9 @@ class MESOGEN_EXPORT ResultsWriter {
   void write_views();
 
   Options options_;
-  std::vector<output::FieldShape> fields_;
-  std::vector<output::FrameStamp> frames_;
-  output::SampleStore samples_;
-  bool changed_ = true;  ///< something is not in results.h5 yet
+  output::ResultsContent content_;
+  bool changed_ = true;    ///< something is not in results.h5 yet
+  bool finished_ = false;  ///< packed; takes nothing any more
 };
 
 }  // namespace mesogen

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <string>
 
@@ -35,5 +36,12 @@ MESOGEN_EXPORT bool holds_run(const std::filesystem::path& folder);
 
 /// The resolved case of the run in a folder. Throws Error(bad_case) if there is none.
 MESOGEN_EXPORT std::string stored_case(const std::filesystem::path& folder);
+
+namespace output {
+
+/// Removes the frames from number `first` on and what was left of unfinished ones; from 0 on, their folder too.
+void remove_frames(const std::filesystem::path& folder, std::size_t first);
+
+}  // namespace output
 
 }  // namespace mesogen

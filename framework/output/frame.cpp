@@ -1,0 +1,48 @@
+#include "output/frame.hpp"
+
+#include <fmt/format.h>
+
+#include "mesogen/diagnostics/error.hpp"
+#include "output/frame_file.hpp"
+#include "output/hdf5.hpp"
+#include "output/write_file.hpp"
+
+namespace mesogen::output {
+
+std::string frame_name(std::size_t number) { return fmt::format("frames/{:06}.h5", number); }
+
+hid_t stored_type_of(const FieldShape& field) {
+  return field.single ? hdf5::stored_type<float>() : hdf5::stored_type<double>();
+}
+
+std::vector<std::uint64_t> frame_dimensions(const FieldShape& field, std::size_t particles) {
+  if (field.components == 1) return {particles};
+  return {particles, static_cast<std::uint64_t>(field.components)};
+}
+
+void write_frame(const std::filesystem::path& file, const std::vector<FrameField>& fields, const FrameStamp& stamp) {
+  std::vector<std::byte> bytes;
+  try {
+    const hdf5::Id memory = hdf5::create_in_memory();
+    hdf5::write_attribute(memory, "step", stamp.step);
+    hdf5::write_attribute(memory, "time", stamp.time);
+    for (const FrameField& field : fields) {
+      const FieldShape shape{field.name, field.unit, field.components, field.single};
+      const std::size_t particles = field.values.size() / static_cast<std::size_t>(field.components);
+      const std::vector<std::uint64_t> sizes = frame_dimensions(shape, particles);
+      const hdf5::Id dataset =
+          hdf5::write(memory, field.name, {sizes.begin(), sizes.end()}, field.values, stored_type_of(shape));
+      hdf5::write_attribute(dataset, "unit", field.unit);
+    }
+    bytes = hdf5::image(memory);
+  } catch (const hdf5::Failure& failure) {
+    throw Error(ExitCode::run_failed, "cannot make the frame " + file.string() + ": " + failure.what());
+  }
+  write_file(file, bytes);
+}
+
+FrameStamp read_stamp(const hdf5::Id& frame) {
+  return {hdf5::read_attribute<std::int64_t>(frame, "step"), hdf5::read_attribute<double>(frame, "time")};
+}
+
+}  // namespace mesogen::output

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "mesogen/field/view.hpp"
+#include "output/frame.hpp"
+#include "output/sample_store.hpp"
+
+namespace mesogen {
+
+/// What is written of a run whatever its plugins are.
+struct ResultsOptions {
+  std::filesystem::path folder;  ///< made ready by start_run_folder()
+  std::array<double, 3> box{};   ///< edges, m
+  int dimension = 2;
+  std::vector<bool> periodic;  ///< by axis
+  std::string case_text;       ///< resolved
+  std::string version;
+  std::string build;
+  std::int64_t seed = 0;
+  Index count = 0;  ///< particles
+};
+
+namespace output {
+
+/// What results.h5 holds, without the values of the particles.
+struct ResultsContent {
+  std::vector<FieldShape> fields;  ///< in the order of their names
+  std::vector<FrameStamp> frames;
+  SampleStore samples;
+};
+
+}  // namespace output
+}  // namespace mesogen

@@ -1,0 +1,97 @@
+#include <unistd.h>
+
+#include <cerrno>
+
+#include "mesogen/diagnostics/error.hpp"
+#include "output/frame_file.hpp"
+#include "output/results_file.hpp"
+#include "output/run_folder.hpp"
+#include "output/write_file.hpp"
+
+namespace mesogen::output {
+
+namespace {
+
+using hdf5::Id;
+
+/// One frame of one field, from its own file into its place in the packed one, as it is stored.
+template <class Real>
+void copy_frame(const Id& frame, const Id& packed, const FieldShape& field, const hdf5::Dimensions& sizes,
+                std::size_t number) {
+  std::size_t values = 1;
+  for (std::size_t axis = 1; axis < sizes.size(); ++axis) values *= sizes[axis];
+  const std::vector<Real> buffer = hdf5::read<Real>(frame, field.name, values);
+  const Id memory = hdf5::dataspace({values});
+  hdf5::check(H5Dwrite(packed.get(), hdf5::memory_type<Real>(), memory.get(), hdf5::slice(sizes, number).get(),
+                       H5P_DEFAULT, buffer.data()),
+              "write " + field.name);
+}
+
+void fill(const Id& file, const ResultsOptions& options, const ResultsContent& content) {
+  const auto particles = static_cast<std::size_t>(options.count);
+  for (std::size_t number = 0; number < content.frames.size(); ++number) {
+    const Id frame = hdf5::open_file(options.folder / frame_name(number));
+    for (const FieldShape& field : content.fields) {
+      const Id packed = hdf5::open_dataset(file, value_name(field));
+      const hdf5::Dimensions sizes = value_dimensions(field, content.frames.size(), particles);
+      if (field.single)
+        copy_frame<float>(frame, packed, field, sizes, number);
+      else
+        copy_frame<double>(frame, packed, field, sizes, number);
+    }
+  }
+}
+
+}  // namespace
+
+void pack(const ResultsOptions& options, const ResultsContent& content) {
+  const std::filesystem::path path = options.folder / "results.h5";
+  const std::filesystem::path temporary = temporary_name(path);
+  const auto explain = [&](const hdf5::Failure& failure) {
+    return Error(ExitCode::run_failed, "cannot pack the results into " + path.string() + ": " + failure.what() +
+                                           "; all frames are safe and readable as they are: mend this, then "
+                                           "`mesogen resume` packs them");
+  };
+  try {
+    Id file = hdf5::create_file(temporary);
+    try {
+      write_structure(file, options, content, Layout::packed);
+      fill(file, options, content);
+      file.close();
+    } catch (...) {
+      // HDF5 cannot close a file that it cannot complete; without its values there is room to.
+      (void)::truncate(temporary.c_str(), 0);
+      ::unlink(temporary.c_str());
+      throw;
+    }
+  } catch (const hdf5::Failure& failure) {
+    throw explain(failure);
+  }
+  put_in_place(path);
+}
+
+void unpack(const ResultsOptions& options, const ResultsContent& content) {
+  const std::filesystem::path path = options.folder / "results.h5";
+  try {
+    const Id file = hdf5::open_file(path);
+    for (std::size_t number = 0; number < content.frames.size(); ++number) {
+      std::vector<FrameField> fields;
+      for (const FieldShape& field : content.fields) {
+        const Id packed = hdf5::open_dataset(file, value_name(field));
+        const hdf5::Dimensions sizes = hdf5::dimensions_of(packed);
+        FrameField& values =
+            fields.emplace_back(FrameField{field.name, field.unit, field.components, {}, field.single});
+        values.values.resize(static_cast<std::size_t>(options.count) * static_cast<std::size_t>(field.components));
+        const Id memory = hdf5::dataspace({values.values.size()});
+        hdf5::check(H5Dread(packed.get(), H5T_NATIVE_DOUBLE, memory.get(), hdf5::slice(sizes, number).get(),
+                            H5P_DEFAULT, values.values.data()),
+                    "read " + field.name);
+      }
+      write_frame(options.folder / frame_name(number), fields, content.frames[number]);
+    }
+  } catch (const hdf5::Failure& failure) {
+    throw Error(ExitCode::run_failed, "cannot unpack " + path.string() + ": " + failure.what());
+  }
+}
+
+}  // namespace mesogen::output
