@@ -41,12 +41,13 @@ void expect_closed_form(const std::string& kernel, const ClosedForm& closed, dou
   const sph::KernelShape shape = shape_of(kernel);
   EXPECT_EQ(shape.support(), support);
   const double peak = closed(0.0);
+  // Near q = 0 the powers of Wendland C6 are a hundred times larger than their sum: two digits are lost.
   constexpr int samples = 1000;
   for (int n = 0; n <= samples; ++n) {
     const double q = 1.25 * support * n / samples;
     const Dual expected = closed(Dual{q, 1.0});
-    ASSERT_NEAR(shape.value(q), expected.value, 1e-14 * peak) << kernel << " at q = " << q;
-    ASSERT_NEAR(shape.derivative(q), expected.slope, 1e-13 * peak) << kernel << ", derivative at q = " << q;
+    ASSERT_NEAR(shape.value(q), expected.value, 1e-13 * peak) << kernel << " at q = " << q;
+    ASSERT_NEAR(shape.derivative(q), expected.slope, 1e-12 * peak) << kernel << ", derivative at q = " << q;
   }
 }
 
