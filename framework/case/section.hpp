@@ -38,6 +38,8 @@ class MESOGEN_EXPORT CaseSection {
   /// ranges, and missing required keys; a target keeps its default where its key is missing or wrong.
   /// `other_keys` are keys of the section that somebody else reads.
   void read(const ParameterList& list, Problems& problems, const std::vector<std::string>& other_keys = {}) const;
+  /// The same for these parameters alone; says nothing of other keys.
+  void read_only(const ParameterList& list, Problems& problems) const;
 
  private:
   std::string path_;

@@ -1,0 +1,207 @@
+#include "case/case_reader.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "case/framework_keys.hpp"
+#include "case/nearest.hpp"
+#include "case/toml_text.hpp"
+#include "case/value.hpp"
+
+namespace mesogen {
+
+namespace {
+
+class CaseReader {
+ public:
+  CaseReader(Case& target, Problems& problems) : case_(target), problems_(problems) {}
+
+  void read() {
+    check_names();
+    const CaseSection domain = section("domain");
+    read_keys(domain, case_keys::domain(case_.domain), {"boundary"});
+    read_boundary(domain);
+    read_kernel();
+    read_initial();
+    read_time_and_output();
+    case_.physics = instances("physics", {"type"});
+    case_.observers = instances("observers", {"type", "interval", "every"});
+    if (case_.physics.empty() && !broken("physics"))
+      problems_.add({case_.file, 1, 1}, "physics", "must hold at least one table with a type, such as [physics.flow]");
+    for (const auto& observer : case_.observers) case_.timings.push_back(timing(observer.section));
+    read_run();
+  }
+
+ private:
+  void check_names() {
+    const std::vector<std::string> known = {"title",  "domain",  "particles", "kernel", "director",  "velocity",
+                                            "colour", "physics", "time",      "output", "observers", "run"};
+    for (const auto& [key, place, value] : *case_.tree->as<Value::Table>()) {
+      if (std::find(known.begin(), known.end(), key) == known.end()) {
+        const auto hint = did_you_mean(key, known);
+        problems_.add(place, key, "unknown section or key" + (hint.empty() ? "; known here: " + listed(known) : hint));
+      } else if (key == "title") {
+        ParameterList list;
+        list.text("title", case_.title);
+        CaseSection("", case_.tree, case_.tree->place).read_only(list, problems_);
+      } else if (value.as<Value::Table>() == nullptr) {
+        problems_.add(value.place, key, "must be a table, [" + key + "], but is " + shown(value));
+      }
+    }
+  }
+
+  static std::string listed(const std::vector<std::string>& words) {
+    std::string text;
+    for (const auto& word : words) text += (text.empty() ? "" : ", ") + word;
+    return text;
+  }
+
+  /// Is there something by this name that check_names has refused?
+  [[nodiscard]] bool broken(const std::string& name) const {
+    const auto* const value = case_.tree->find(name);
+    return value != nullptr && value->as<Value::Table>() == nullptr;
+  }
+
+  [[nodiscard]] CaseSection section(const std::string& path) const {
+    const auto* const value = case_.tree->find_path(path);
+    if (value == nullptr || value->as<Value::Table>() == nullptr) return {path, nullptr, {case_.file, 1, 1}};
+    return {path, {case_.tree, value}, value->place};
+  }
+
+  void read_keys(const CaseSection& from, const ParameterList& list, const std::vector<std::string>& other_keys = {}) {
+    if (!broken(from.path())) from.read(list, problems_, other_keys);
+  }
+
+  /// Reads a section in which the text under `choice_key` says which other keys apply.
+  template <class Target>
+  void read_dependent(const CaseSection& from, const std::string& choice_key, const std::string& choice, Target& target,
+                      ParameterList (*keys)(Target&)) {
+    Problems reported_later;
+    from.read_only(keys(target), reported_later);
+    const auto* const given = case_.tree->find_path(from.full_key(choice_key));
+    const auto* const text = given == nullptr ? nullptr : given->as<std::string>();
+    const bool unclear = given == nullptr ? choice_key == "type" : (text == nullptr || *text != choice);
+    read_with_idle(from, target, keys(target), unclear);
+  }
+
+  /// `unclear`: what other keys depend on is itself refused, so nothing can be said of them.
+  template <class Target>
+  void read_with_idle(const CaseSection& from, const Target& target, const ParameterList& list, bool unclear) {
+    std::vector<std::string> idle;
+    for (const auto& [key, applies, condition] : case_keys::idle_keys(target)) {
+      if (applies || !from.has(key)) continue;
+      idle.push_back(key);
+      if (!unclear) problems_.add(from.place_of(key), from.full_key(key), "has a meaning only with " + condition);
+    }
+    read_keys(from, list, idle);
+  }
+
+  void read_initial() {
+    const CaseSection particles = section("particles");
+    read_dependent(particles, "arrangement", case_.particles.arrangement, case_.particles, case_keys::particles);
+    const CaseSection director = section("director");
+    case_.director.given = director.given();
+    case_.director.core = case_.particles.spacing;
+    if (director.given()) read_dependent(director, "type", case_.director.type, case_.director, case_keys::director);
+    const CaseSection velocity = section("velocity");
+    case_.velocity.given = velocity.given();
+    if (velocity.given()) read_dependent(velocity, "type", case_.velocity.type, case_.velocity, case_keys::velocity);
+    const CaseSection colour = section("colour");
+    case_.colour.given = colour.given();
+    if (colour.given()) read_keys(colour, case_keys::colour(case_.colour));
+  }
+
+  void read_time_and_output() {
+    const CaseSection time = section("time");
+    Problems reported_later;
+    time.read_only(case_keys::time(case_.time), reported_later);
+    read_with_idle(time, case_.time, case_keys::time(case_.time), false);
+    case_.output.interval = case_.time.end;
+    const CaseSection output = section("output");
+    read_keys(output, case_keys::output(case_.output));
+    case_.output.fields_given = output.has("fields");
+    std::erase(case_.output.fields, "position");
+  }
+
+  void read_run() {
+    std::string precision = "single";
+    read_keys(section("run"), case_keys::run(case_.run, precision));
+    case_.run.precision = precision == "single" ? Precision::single_precision : Precision::double_precision;
+  }
+
+  /// The choice that a section with a key `type` makes.
+  PluginChoice choice(const CaseSection& from, std::vector<std::string> framework_keys) {
+    PluginChoice result{"", from.name(), from, from.full_key("type"), from.place_of("type"), std::move(framework_keys)};
+    ParameterList list;
+    list.text("type", result.type).doc("name of the plugin").required();
+    from.read_only(list, problems_);
+    return result;
+  }
+
+  void read_kernel() {
+    const CaseSection kernel = section("kernel");
+    if (broken("kernel")) return;
+    case_.kernel = choice(kernel, {"type", "smoothing_length"});
+    kernel.read_only(case_keys::kernel(case_.smoothing_length_ratio), problems_);
+  }
+
+  /// `boundary = "name"` or `boundary = { type = "name", key = value }`
+  void read_boundary(const CaseSection& domain) {
+    if (broken("domain")) return;
+    const std::string path = "domain.boundary";
+    const auto* const value = case_.tree->find_path(path);
+    if (value == nullptr) {
+      problems_.add(domain.place(), path, "must be given: a text (name of the plugin), or a table with its type");
+    } else if (value->as<Value::Table>() != nullptr) {
+      case_.boundary = choice(section(path), {"type"});
+    } else if (const auto* const name = value->as<std::string>()) {
+      auto table = std::make_shared<Value>(Value{Value::Table{{"type", value->place, *value}}, value->place});
+      case_.boundary = {*name, "boundary",   CaseSection(path, std::move(table), value->place),
+                        path,  value->place, {"type"}};
+    } else {
+      problems_.add(value->place, path,
+                    "must be a text (name of the plugin), or a table with its type, but is " + shown(*value));
+    }
+  }
+
+  std::vector<PluginChoice> instances(const std::string& group, const std::vector<std::string>& framework_keys) {
+    constexpr std::string_view letters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-";
+    std::vector<PluginChoice> choices;
+    const auto* const value = case_.tree->find(group);
+    const auto* const table = value == nullptr ? nullptr : value->as<Value::Table>();
+    if (table == nullptr) return choices;
+    for (const auto& [name, place, inner] : *table) {
+      const std::string path = joined(group, name);
+      if (inner.as<Value::Table>() == nullptr) {
+        problems_.add(place, path, "must be a table with a type, [" + path + "], but is " + shown(inner));
+      } else if (name.empty() || name.find_first_not_of(letters) != std::string::npos) {
+        problems_.add(place, path, "the name may hold only letters, digits, _ and -");
+      } else {
+        choices.push_back(choice(section(path), framework_keys));
+      }
+    }
+    return choices;
+  }
+
+  ObserverTiming timing(const CaseSection& observer) {
+    ObserverTiming result;
+    std::int64_t every = 0;
+    ParameterList list;
+    list.number_or("interval", result.interval, "").unit("s").above(0.0);
+    list.integer("every", every).unit("steps").at_least(1.0);
+    observer.read_only(list, problems_);
+    if (every > 0) result.every = every;
+    if (observer.has("interval") && observer.has("every"))
+      problems_.add(observer.place_of("every"), observer.full_key("every"), "must not be given beside interval");
+    return result;
+  }
+
+  Case& case_;
+  Problems& problems_;
+};
+
+}  // namespace
+
+void read_sections(Case& target, Problems& problems) { CaseReader(target, problems).read(); }
+
+}  // namespace mesogen

@@ -1,0 +1,139 @@
+#include "case/framework_keys.hpp"
+
+#include <utility>
+
+namespace mesogen::case_keys {
+
+namespace {
+
+template <class Section>
+bool applies(const Section& section, const std::string& key) {
+  for (const auto& idle : idle_keys(section))
+    if (idle.key == key) return idle.applies;
+  return true;
+}
+
+}  // namespace
+
+ParameterList domain(Case::Domain& domain) {
+  ParameterList list;
+  // three numbers are told apart later, with a better message
+  list.numbers("size", domain.size).unit("m").doc("edge lengths of the box").above(0.0).sizes({2, 3}).required();
+  return list;
+}
+
+ParameterList particles(Case::Particles& particles) {
+  ParameterList list;
+  list.number("spacing", particles.spacing).unit("m").doc("distance of particles").above(0.0).required();
+  list.text("arrangement", particles.arrangement)
+      .doc("where particles start")
+      .choices({"lattice", "hexagonal", "jittered"});
+  list.integer("seed", particles.seed).doc("of the random numbers");
+  if (applies(particles, "jitter"))
+    list.number("jitter", particles.jitter)
+        .doc("largest shift along each axis, in spacings")
+        .at_least(0.0)
+        .at_most(0.5);
+  return list;
+}
+
+ParameterList kernel(double& smoothing_length_ratio) {
+  ParameterList list;
+  list.number("smoothing_length", smoothing_length_ratio).doc("smoothing length h in particle spacings").above(0.0);
+  return list;
+}
+
+ParameterList director(Case::Director& director) {
+  ParameterList list;
+  list.text("type", director.type)
+      .doc("how the director lies at the start")
+      .choices({"uniform", "perturbed", "modes", "defects"})
+      .required();
+  list.number("order", director.order).doc("magnitude of the order tensor").at_least(0.0);
+  list.number("angle", director.angle).unit("rad").doc("of the director to the x axis; added to all else");
+  if (applies(director, "amplitude"))
+    list.number("amplitude", director.amplitude).unit("rad").doc("largest random deviation").at_least(0.0).required();
+  if (applies(director, "seed")) list.integer("seed", director.seed).doc("of the random deviations");
+  if (applies(director, "modes"))
+    list.rows("modes", director.modes)
+        .doc("rows mx, my, amplitude (rad), phase (rad): cosine waves of the angle")
+        .sizes({4})
+        .required();
+  if (applies(director, "defects"))
+    list.rows("defects", director.defects).doc("rows x (m), y (m), charge (0.5 or -0.5)").sizes({3}).required();
+  if (applies(director, "core"))
+    list.number("core", director.core).unit("m").doc("core radius of the defects").above(0.0);
+  return list;
+}
+
+ParameterList velocity(Case::Velocity& velocity) {
+  ParameterList list;
+  list.text("type", velocity.type)
+      .doc("how the fluid moves at the start")
+      .choices({"rest", "uniform", "modes"})
+      .required();
+  if (applies(velocity, "value"))
+    list.numbers("value", velocity.value).unit("m/s").doc("velocity everywhere").sizes({2}).required();
+  if (applies(velocity, "modes"))
+    list.rows("modes", velocity.modes)
+        .doc("rows mx, my, amplitude (m^2/s), phase (rad): cosine waves of the stream function")
+        .sizes({4})
+        .required();
+  return list;
+}
+
+ParameterList colour(Case::Colour& colour) {
+  ParameterList list;
+  list.text("type", colour.type).doc("quarter: 1 where x < Lx/2 and y < Ly/2, else 0").choices({"quarter"}).required();
+  return list;
+}
+
+ParameterList time(Case::Time& time) {
+  ParameterList list;
+  list.number("end", time.end).unit("s").doc("simulated time to run").above(0.0).required();
+  list.number_or("step", time.step, "auto").unit("s").doc("time step").above(0.0);
+  if (applies(time, "factor"))
+    list.number("factor", time.factor).doc("automatic step in multiples of its stability limit").above(0.0);
+  return list;
+}
+
+ParameterList output(Case::Output& output) {
+  ParameterList list;
+  list.number("interval", output.interval).unit("s").doc("simulated time between stored frames").above(0.0);
+  list.number("checkpoint_interval", output.checkpoint_interval)
+      .unit("s")
+      .doc("wall time between checkpoints")
+      .above(0.0);
+  list.texts("fields", output.fields).doc("stored fields of the particles, beside their positions");
+  return list;
+}
+
+ParameterList run(Case::Run& run, std::string& precision) {
+  ParameterList list;
+  list.text("precision", precision).doc("arithmetic of the pair sums").choices({"single", "double"});
+  list.text("device", run.device).doc("where it runs").choices({"cpu", "cuda"});
+  return list;
+}
+
+std::vector<IdleKey> idle_keys(const Case::Particles& particles) {
+  return {{"jitter", particles.arrangement == "jittered", "arrangement = \"jittered\""}};
+}
+
+std::vector<IdleKey> idle_keys(const Case::Director& director) {
+  const auto only = [&](const std::string& key, const std::string& type) {
+    return IdleKey{key, director.type == type, "type = \"" + type + "\""};
+  };
+  return {only("amplitude", "perturbed"), only("seed", "perturbed"), only("modes", "modes"), only("defects", "defects"),
+          only("core", "defects")};
+}
+
+std::vector<IdleKey> idle_keys(const Case::Velocity& velocity) {
+  return {{"value", velocity.type == "uniform", "type = \"uniform\""},
+          {"modes", velocity.type == "modes", "type = \"modes\""}};
+}
+
+std::vector<IdleKey> idle_keys(const Case::Time& time) {
+  return {{"factor", !time.step.has_value(), "step = \"auto\""}};
+}
+
+}  // namespace mesogen::case_keys

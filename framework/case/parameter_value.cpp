@@ -1,0 +1,197 @@
+#include "case/parameter_value.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "case/nearest.hpp"
+#include "case/toml_text.hpp"
+
+namespace mesogen {
+
+namespace {
+
+using Strings = std::vector<std::string>;
+
+std::string with_unit(const std::string& text, const Parameter& parameter) {
+  return parameter.unit_text == "1" ? text : text + " " + parameter.unit_text;
+}
+
+/// Reads a value, and its elements, for one parameter; each function returns nothing after a refusal.
+class Taker {
+ public:
+  explicit Taker(const Parameter& parameter) : parameter_(parameter) {}
+
+  std::optional<Refusal> refusal;
+
+  void operator()(double* target, const Value& value) { keep(target, number(value, "")); }
+  void operator()(std::optional<double>* target, const Value& value) {
+    const auto* const text = value.as<std::string>();
+    if (text != nullptr && !parameter_.word.empty() && *text == parameter_.word) {
+      target->reset();
+    } else {
+      keep(target, number(value, ""));
+    }
+  }
+  void operator()(std::int64_t* target, const Value& value) {
+    const auto* const integer = value.as<std::int64_t>();
+    if (integer == nullptr) return refuse_type(value);
+    if (in_range(static_cast<double>(*integer), value, "")) *target = *integer;
+  }
+  void operator()(bool* target, const Value& value) {
+    const auto* const flag = value.as<bool>();
+    if (flag == nullptr) return refuse_type(value);
+    *target = *flag;
+  }
+  void operator()(std::string* target, const Value& value) { keep(target, text(value)); }
+  void operator()(std::vector<double>* target, const Value& value) { keep(target, numbers(value)); }
+  void operator()(Strings* target, const Value& value) {
+    const auto* const list = value.as<Value::List>();
+    if (list == nullptr) return refuse_type(value);
+    Strings texts;
+    for (const auto& element : *list) {
+      auto element_text = text(element);
+      if (!element_text) return;
+      texts.push_back(std::move(*element_text));
+    }
+    *target = std::move(texts);
+  }
+  void operator()(Parameter::Rows* target, const Value& value) {
+    const auto* const list = value.as<Value::List>();
+    if (list == nullptr) return refuse_type(value);
+    Parameter::Rows rows;
+    for (const auto& element : *list) {
+      auto row = numbers(element);
+      if (!row) return;
+      rows.push_back(std::move(*row));
+    }
+    *target = std::move(rows);
+  }
+
+ private:
+  template <class Target, class Type>
+  static void keep(Target* target, std::optional<Type> value) {
+    if (value) *target = std::move(*value);
+  }
+
+  void refuse(const Value& value, const std::string& must) {
+    refusal = Refusal{value.place, must + ", but is " + shown(value)};
+  }
+  void refuse_type(const Value& value) { refuse(value, "must be " + expected_text(parameter_)); }
+
+  bool in_range(double number, const Value& value, const std::string& whose) {
+    if (!std::isfinite(number)) {
+      refuse(value, whose + "must be a finite number");
+      return false;
+    }
+    const bool low = number < parameter_.lowest || (parameter_.lowest_excluded && number == parameter_.lowest);
+    const bool high = number > parameter_.highest || (parameter_.highest_excluded && number == parameter_.highest);
+    if (!low && !high) return true;
+    refuse(value, with_unit(whose + "must be " + parameter_.range_text(), parameter_));
+    return false;
+  }
+
+  std::optional<double> number(const Value& value, const std::string& whose) {
+    double number = 0.0;
+    if (const auto* const floating = value.as<double>()) {
+      number = *floating;
+    } else if (const auto* const integer = value.as<std::int64_t>()) {
+      number = static_cast<double>(*integer);
+    } else {
+      refuse_type(value);
+      return std::nullopt;
+    }
+    return in_range(number, value, whose) ? std::optional(number) : std::nullopt;
+  }
+
+  std::optional<std::string> text(const Value& value) {
+    const auto* const text = value.as<std::string>();
+    const auto& choices = parameter_.choice_list;
+    if (text == nullptr) {
+      refuse_type(value);
+      return std::nullopt;
+    }
+    if (!choices.empty() && std::find(choices.begin(), choices.end(), *text) == choices.end()) {
+      refuse(value, "must be " + parameter_.range_text());
+      refusal->text += did_you_mean(*text, choices);
+      return std::nullopt;
+    }
+    return *text;
+  }
+
+  std::optional<std::vector<double>> numbers(const Value& value) {
+    const auto* const list = value.as<Value::List>();
+    const auto& sizes = parameter_.size_list;
+    if (list == nullptr || (!sizes.empty() && std::find(sizes.begin(), sizes.end(), list->size()) == sizes.end())) {
+      refuse_type(value);
+      return std::nullopt;
+    }
+    std::vector<double> numbers;
+    for (const auto& element : *list) {
+      const auto element_number = number(element, "each number ");
+      if (!element_number) return std::nullopt;
+      numbers.push_back(*element_number);
+    }
+    return numbers;
+  }
+
+  const Parameter& parameter_;
+};
+
+template <class Elements, class Convert>
+std::optional<Value> list_value(const Elements& elements, const Convert& convert) {
+  Value::List list;
+  for (const auto& element : elements) {
+    auto value = convert(element);
+    if (!value) return std::nullopt;
+    list.push_back(std::move(*value));
+  }
+  return Value{std::move(list), {}};
+}
+
+struct Reader {
+  std::optional<Value> operator()(const double* target) const { return number(*target); }
+  std::optional<Value> operator()(const std::optional<double>* target) const {
+    if (*target) return number(**target);
+    return word.empty() ? std::nullopt : std::optional(Value{word, {}});
+  }
+  std::optional<Value> operator()(const std::int64_t* target) const { return Value{*target, {}}; }
+  std::optional<Value> operator()(const bool* target) const { return Value{*target, {}}; }
+  std::optional<Value> operator()(const std::string* target) const { return Value{*target, {}}; }
+  std::optional<Value> operator()(const std::vector<double>* target) const { return list_value(*target, number); }
+  std::optional<Value> operator()(const Strings* target) const {
+    return list_value(*target, [](const std::string& text) { return std::optional(Value{text, {}}); });
+  }
+  std::optional<Value> operator()(const Parameter::Rows* target) const {
+    return list_value(*target, [](const std::vector<double>& row) { return list_value(row, number); });
+  }
+
+  static std::optional<Value> number(double value) {
+    return std::isfinite(value) ? std::optional(Value{value, {}}) : std::nullopt;
+  }
+  const std::string& word;
+};
+
+}  // namespace
+
+std::optional<Refusal> take_value(const Parameter& parameter, const Value& value) {
+  Taker taker(parameter);
+  std::visit([&](auto* target) { taker(target, value); }, parameter.target);
+  return taker.refusal;
+}
+
+std::optional<Value> current_value(const Parameter& parameter) {
+  const Reader reader{parameter.word};
+  return std::visit([&](const auto* target) { return reader(target); }, parameter.target);
+}
+
+std::string expected_text(const Parameter& parameter) {
+  const std::string type = parameter.type_text();
+  const std::string range = parameter.range_text();
+  const bool list = type.starts_with("list");
+  std::string text = type == "true or false" ? type : (type.starts_with("integer") ? "an " : "a ") + type;
+  if (parameter.unit_text != "1") text += " in " + parameter.unit_text;
+  if (!range.empty()) text += (list ? ", each " : ", ") + range;
+  return text;
+}
+
+}  // namespace mesogen

@@ -1,0 +1,54 @@
+#include "case/resolved.hpp"
+
+#include "case/framework_keys.hpp"
+#include "case/parameter_value.hpp"
+#include "case/toml_text.hpp"
+#include "case/value.hpp"
+
+namespace mesogen {
+
+namespace {
+
+void fill(Value& tree, const std::string& path, const ParameterList& list, const std::string& left_open = "") {
+  for (const auto& parameter : list.all())
+    if (auto value = current_value(parameter); value && parameter.name != left_open)
+      tree.set_path(joined(path, parameter.name), std::move(*value));
+}
+
+}  // namespace
+
+ResolvedCase::ResolvedCase(const Case& source) : tree_(std::make_unique<Value>(*source.tree)) {
+  Case copy = source;
+  std::string precision = copy.run.precision == Precision::single_precision ? "single" : "double";
+  fill(*tree_, "domain", case_keys::domain(copy.domain));
+  fill(*tree_, "particles", case_keys::particles(copy.particles));
+  fill(*tree_, "kernel", case_keys::kernel(copy.smoothing_length_ratio));
+  if (copy.director.given) fill(*tree_, "director", case_keys::director(copy.director));
+  if (copy.velocity.given) fill(*tree_, "velocity", case_keys::velocity(copy.velocity));
+  if (copy.colour.given) fill(*tree_, "colour", case_keys::colour(copy.colour));
+  fill(*tree_, "time", case_keys::time(copy.time));
+  fill(*tree_, "output", case_keys::output(copy.output), copy.output.fields_given ? "" : "fields");
+  fill(*tree_, "run", case_keys::run(copy.run, precision));
+}
+
+ResolvedCase::~ResolvedCase() = default;
+
+void ResolvedCase::add(const CaseSection& section, const ParameterList& list) {
+  // a boundary given by its name alone becomes a table where it has keys
+  if (const auto* const value = tree_->find_path(section.path());
+      value != nullptr && value->as<std::string>() != nullptr) {
+    if (list.all().empty()) return;
+    tree_->set_path(section.path(), Value{Value::Table{{"type", value->place, *value}}, value->place});
+  }
+  fill(*tree_, section.path(), list);
+}
+
+void ResolvedCase::set_output_fields(const std::vector<std::string>& fields) {
+  Value::List list;
+  for (const auto& field : fields) list.push_back(Value{field, {}});
+  tree_->set_path("output.fields", Value{std::move(list), {}});
+}
+
+std::string ResolvedCase::text() const { return document_text(*tree_); }
+
+}  // namespace mesogen
