@@ -1,0 +1,71 @@
+/// Where the director is singular: defects of charge +1/2 and -1/2, from the winding of the director on a grid.
+/// The method is in director_grid.hpp.
+#include "director_grid.hpp"
+#include "mesogen/diagnostics/error.hpp"
+#include "mesogen/plugin/by_id.hpp"
+#include "mesogen/plugin/observer.hpp"
+#include "mesogen/plugin/plugin.hpp"
+
+namespace mesogen::defects {
+namespace {
+
+class Defects final : public Observer {
+ public:
+  void parameters(ParameterList& list) override {
+    list.number("merge_distance", merge_distance_)
+        .unit("spacings")
+        .at_least(0.0)
+        .at_most(100.0)
+        .doc("pairs of opposite charges closer than this are left out: they are about to vanish, or noise");
+    list.number("smoothing_length", smoothing_length_)
+        .unit("spacings")
+        .above(0.25)
+        .at_most(10.0)
+        .doc("of the kernel that averages the order tensor onto the grid; its shape is that of the run's kernel");
+  }
+
+  void plan(const Scene& scene, ObserverPlan& plan) override {
+    if (scene.dimension != 2) throw Error(ExitCode::bad_case, "defects: finds defects in two dimensions only");
+    plan.reads("order_tensor");
+    plan.scalar("count_plus").doc("number of defects of charge +1/2");
+    plan.scalar("count_minus").doc("number of defects of charge -1/2");
+    plan.scalar("total_charge").doc("sum of the charges; always 0 in a periodic box");
+    auto& table = plan.table("defects", 4);
+    table.unit("m, m, 1, rad")
+        .doc(
+            "a row a defect: x, y, charge, orientation (the direction from the defect in which the "
+            "director is radial: +1/2, from head to tail; -1/2, one of three legs)");
+    table.varying = true;
+  }
+
+  void sample(const ObserverContext& context, Sample& sample) override {
+    const ById particles(context);
+    const Scene& scene = context.scene();
+    sph::SmoothingKernel kernel = context.kernel();
+    kernel.smoothing_length = smoothing_length_ * scene.spacing;
+    kernel.scale = 1.0;  // the weights are divided by their sum
+    const DirectorGrid grid(scene, particles.positions<2>(), particles.values("order_tensor", 0),
+                            particles.values("order_tensor", 1), kernel);
+    double plus = 0.0;
+    double minus = 0.0;
+    std::vector<double> rows;
+    for (const auto& defect : without_close_pairs(grid.defects(), scene.box, merge_distance_ * scene.spacing)) {
+      (defect.charge > 0.0 ? plus : minus) += 1.0;
+      rows.insert(rows.end(), {defect.position[0], defect.position[1], defect.charge, defect.orientation});
+    }
+    sample.set("count_plus", plus);
+    sample.set("count_minus", minus);
+    sample.set("total_charge", 0.5 * (plus - minus));
+    sample.set("defects", std::move(rows));
+  }
+
+ private:
+  double merge_distance_ = 1.5;
+  double smoothing_length_ = 1.0;
+};
+
+}  // namespace
+}  // namespace mesogen::defects
+
+MESOGEN_OBSERVER_PLUGIN(mesogen::defects::Defects, "defects", "1.0.0",
+                        "Defects of the director: position, charge, orientation")

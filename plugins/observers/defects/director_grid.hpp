@@ -1,0 +1,60 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "mesogen/plugin/scene.hpp"
+#include "mesogen/sph/kernel_function.hpp"
+
+namespace mesogen::defects {
+
+/// A point where the director is singular.
+struct Defect {
+  std::array<double, 2> position{};  ///< m, in the box
+  double charge = 0.0;               ///< +1/2 or -1/2
+  double orientation = 0.0;          ///< rad; see DirectorGrid::orientation
+};
+
+/// The order tensor on a regular periodic grid, and the defects of its director.
+///
+/// The grid has as many nodes along each axis as spacings fit. The value at a node is the mean of the particles around
+/// it, weighted by a kernel: Q(x) = sum_j W(x - x_j) Q_j / sum_j W(x - x_j) (Shepard 1968).
+class DirectorGrid {
+ public:
+  /// `points`, `q11`, `q12`: by particle id. `kernel`: the weights.
+  DirectorGrid(const Scene& scene, const std::vector<std::array<double, 2>>& points, const std::vector<double>& q11,
+               const std::vector<double>& q12, const sph::SmoothingKernel& kernel);
+
+  /// One for each plaquette (square of four nodes) around which the director turns by half a turn. The turn along an
+  /// edge is taken the short way, and the two plaquettes beside it count the same number with opposite signs: so the
+  /// charges of a periodic box sum to exactly 0, whatever the data.
+  [[nodiscard]] std::vector<Defect> defects() const;
+
+ private:
+  struct Tensor {
+    double q11 = 0.0;
+    double q12 = 0.0;
+  };
+
+  [[nodiscard]] std::size_t node(int i, int j) const;
+  /// Where Q, interpolated bilinearly in plaquette (i, j), is zero: (s, t), each in [0, 1].
+  [[nodiscard]] std::array<double, 2> zero(int i, int j) const;
+  /// The direction, seen from the defect, in which the director is radial. With k = +-1/2 the charge,
+  ///
+  ///     k / (1 - k) * atan2( <sgn(k) d_x Q12 - d_y Q11> , <d_x Q11 + sgn(k) d_y Q12> )
+  ///
+  /// (Vromans & Giomi, Soft Matter 12, 6490, 2016), the gradients being means over the 3 x 3 plaquettes around it.
+  /// +1/2: that of div Q, from the head of the comet to its tail, in (-pi, pi]; an extensile defect moves the other
+  /// way. -1/2: one of the three legs, in [-pi/3, pi/3].
+  [[nodiscard]] double orientation(int i, int j, double charge) const;
+
+  std::array<int, 2> nodes_{};
+  std::array<double, 2> width_{};  // distance of nodes, m
+  std::vector<Tensor> tensor_;
+};
+
+/// Without pairs of opposite charges closer than `distance`, m: closest pairs first. The total charge stays as it is.
+std::vector<Defect> without_close_pairs(const std::vector<Defect>& defects, const std::array<double, 3>& box,
+                                        double distance);
+
+}  // namespace mesogen::defects

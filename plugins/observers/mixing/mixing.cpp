@@ -1,0 +1,130 @@
+/// How well a colour has spread. At the start, particles of the quarter x < Lx/2, y < Ly/2 have colour 1, the others 0.
+///
+/// The box is divided into C cells. With n_c particles and the mean colour p_c in cell c, and the mean colour p of all
+/// N particles, the mixing index is that of Lacey (J. Appl. Chem. 4, 257, 1954),
+///
+///     M = (s0 - s) / (s0 - sr),    s = sum_c n_c (p_c - p)^2 / N,    s0 = p (1 - p),    sr = s0 (C - 1) / (N - 1)
+///
+/// kept within [0, 1]. s0 is the variance between cells of one colour each, as at the start (cell edges fall on the
+/// edges of the quarter), and sr is its expectation when colours are dealt to the particles at random: a cell of few
+/// particles does not hold the mean colour exactly even in a perfect mixture. So M is 0 at the start, 1 on average in a
+/// random mixture, and 1 where every cell holds the mean colour. Only cells that hold particles count. NaN if there is
+/// one colour only, or no cell with more than one particle.
+///
+/// In a scene with a field `colour` (values from 0 to 1) that is used, as it is at the time of the sample.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "mesogen/diagnostics/error.hpp"
+#include "mesogen/exec/compensated_sum.hpp"
+#include "mesogen/plugin/by_id.hpp"
+#include "mesogen/plugin/observer.hpp"
+#include "mesogen/plugin/plugin.hpp"
+
+namespace mesogen {
+namespace {
+
+class Mixing final : public Observer {
+ public:
+  void parameters(ParameterList& list) override {
+    list.number_or("cells", cells_, "auto")
+        .at_least(2.0)
+        .at_most(10000.0)
+        .doc("cells along the shortest edge of the box, an even number; auto: as many as are at least 5 spacings wide");
+  }
+
+  void plan(const Scene& scene, ObserverPlan& plan) override {
+    if (cells_ && std::fmod(*cells_, 2.0) != 0.0)
+      throw Error(ExitCode::bad_case,
+                  "mixing: `cells` must be an even number, so that the edges of the initial quarter "
+                  "are edges of cells, but is " +
+                      std::to_string(*cells_));
+    plan.reads_if_present("colour");
+    plan.scalar("mixing_index").doc("0: colours apart, as at the start; 1: mixed (Lacey's index)");
+    double shortest = scene.box[0];
+    for (int d = 1; d < scene.dimension; ++d) shortest = std::min(shortest, scene.box[static_cast<std::size_t>(d)]);
+    for (int d = 0; d < scene.dimension; ++d) {
+      const double length = scene.box[static_cast<std::size_t>(d)];
+      const double pairs =
+          cells_ ? std::round(0.5 * *cells_ * length / shortest) : std::floor(length / (10.0 * scene.spacing));
+      cells_along_[static_cast<std::size_t>(d)] = 2 * std::max(1, static_cast<int>(pairs));
+    }
+  }
+
+  void start(const ObserverContext& context) override {
+    if (context.has("colour")) return;
+    const Scene& scene = context.scene();
+    const ById particles(context);
+    const auto points = particles.positions<2>();  // a third coordinate does not matter
+    for (const auto& point : points)
+      colour_.push_back(point[0] < 0.5 * scene.box[0] && point[1] < 0.5 * scene.box[1] ? 1.0 : 0.0);
+  }
+
+  void sample(const ObserverContext& context, Sample& sample) override {
+    const ById particles(context);
+    const auto cell = cells_of(context.scene(), particles);
+    sample.set("mixing_index", index(context.has("colour") ? particles.values("colour") : colour_, cell));
+  }
+
+  [[nodiscard]] std::map<std::string, std::vector<double>> save() const override { return {{"colour", colour_}}; }
+
+  void restore(const std::map<std::string, std::vector<double>>& saved) override { colour_ = saved.at("colour"); }
+
+ private:
+  /// Number of the cell that holds each particle.
+  [[nodiscard]] std::vector<std::size_t> cells_of(const Scene& scene, const ById& particles) const {
+    if (scene.dimension == 2) return cells_of<2>(scene, particles.positions<2>());
+    return cells_of<3>(scene, particles.positions<3>());
+  }
+
+  template <int Dim>
+  [[nodiscard]] std::vector<std::size_t> cells_of(const Scene& scene,
+                                                  const std::vector<std::array<double, Dim>>& points) const {
+    std::vector<std::size_t> cell;
+    cell.reserve(points.size());
+    for (const auto& point : points) {
+      int number = 0;
+      for (std::size_t d = Dim; d-- > 0;) {
+        const int at = static_cast<int>(point[d] / scene.box[d] * cells_along_[d]);
+        number = number * cells_along_[d] + std::clamp(at, 0, cells_along_[d] - 1);
+      }
+      cell.push_back(static_cast<std::size_t>(number));
+    }
+    return cell;
+  }
+
+  static double index(const std::vector<double>& colour, const std::vector<std::size_t>& cell) {
+    const auto total = static_cast<double>(colour.size());
+    std::vector<double> held(1 + *std::max_element(cell.begin(), cell.end()), 0.0);
+    std::vector<double> count(held.size(), 0.0);
+    exec::CompensatedSum sum;
+    for (std::size_t i = 0; i < colour.size(); ++i) {
+      held[cell[i]] += colour[i];
+      count[cell[i]] += 1.0;
+      sum.add(colour[i]);
+    }
+    const double mean = sum.value() / total;
+    double used = 0.0;
+    exec::CompensatedSum squares;
+    for (std::size_t c = 0; c < held.size(); ++c) {
+      if (count[c] == 0.0) continue;
+      used += 1.0;
+      squares.add(count[c] * std::pow(held[c] / count[c] - mean, 2));
+    }
+    const double apart = mean * (1.0 - mean);
+    const double random = apart * (used - 1.0) / (total - 1.0);
+    if (!(apart > random)) return std::numeric_limits<double>::quiet_NaN();
+    return std::clamp((apart - squares.value() / total) / (apart - random), 0.0, 1.0);
+  }
+
+  std::optional<double> cells_;
+  std::array<int, 3> cells_along_{2, 2, 2};
+  std::vector<double> colour_;  // by id; empty where the scene has such a field
+};
+
+}  // namespace
+}  // namespace mesogen
+
+MESOGEN_OBSERVER_PLUGIN(mesogen::Mixing, "mixing", "1.0.0", "How well the colour of the initial quarter has spread")

@@ -1,0 +1,176 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "fake_observer_context.hpp"
+#include "mesogen/diagnostics/error.hpp"
+
+namespace mesogen::test {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+constexpr double length = 3.0;
+constexpr double k = 2.0 * pi / length;
+constexpr double area = length * length;
+constexpr double bulk_a = -0.7;
+constexpr double bulk_c = 0.4;
+constexpr double elastic_constant = 0.02;
+
+using Function = FakeObserverContext::Function;
+
+void set_director(FakeObserverContext& context, const Function& order, const Function& angle) {
+  context.set("order_tensor", {[=](double x, double y) { return order(x, y) * std::cos(2.0 * angle(x, y)); },
+                               [=](double x, double y) { return order(x, y) * std::sin(2.0 * angle(x, y)); }});
+}
+
+FakeObserverContext uniform(double order, double angle) {
+  FakeObserverContext context(30, 30, length, length);
+  const auto zero = [](double, double) { return 0.0; };
+  set_director(
+      context, [=](double, double) { return order; }, [=](double, double) { return angle; });
+  context.set("order_tensor_gradient", {zero, zero, zero, zero});
+  context.set_constant("bulk_A", bulk_a);
+  context.set_constant("bulk_C", bulk_c);
+  context.set_constant("elastic_constant", elastic_constant);
+  return context;
+}
+
+ObserverUnderTest started(const FakeObserverContext& context) {
+  ObserverUnderTest observer("nematic_statistics");
+  observer.start(context);
+  return observer;
+}
+
+double value(const FakeObserverContext& context, const std::string& quantity) {
+  return started(context).number(context, quantity);
+}
+
+TEST(NematicStatistics, UniformNematic) {
+  const auto context = uniform(0.8, 0.6);
+  const auto values = started(context).sample(context);
+  EXPECT_NEAR(values.at("mean_order")[0], 0.8, 1e-15);
+  EXPECT_NEAR(values.at("minimum_order")[0], 0.8, 1e-15);
+  EXPECT_NEAR(values.at("mean_director_angle")[0], 0.6, 1e-15);
+  EXPECT_NEAR(values.at("free_energy")[0], area * (bulk_a * 0.64 + bulk_c * 0.64 * 0.64), 1e-14);
+}
+
+TEST(NematicStatistics, MeanOrderIsNotTheOrderOfTheMean) {
+  auto context = uniform(1.0, 0.0);
+  set_director(
+      context, [](double x, double) { return x < 0.1 ? 0.1 : 0.9; }, [](double x, double) { return k * x; });
+  EXPECT_NEAR(value(context, "mean_order"), (0.1 + 29 * 0.9) / 30, 1e-14);
+  EXPECT_NEAR(value(context, "minimum_order"), 0.1, 1e-15);
+}
+
+TEST(NematicStatistics, MeanDirectorIsThatOfTheMeanTensor) {
+  auto context = uniform(1.0, 0.0);
+  // 80 and -80 degrees are 20 degrees apart, about the y axis.
+  const double angle = 80.0 / 180.0 * pi;
+  set_director(
+      context, [](double, double) { return 1.0; }, [=](double x, double) { return x < length / 2 ? angle : -angle; });
+  EXPECT_NEAR(std::abs(value(context, "mean_director_angle")), pi / 2, 1e-12);
+}
+
+TEST(NematicStatistics, MeanDirectorAngleIsAboveMinusHalfPi) {
+  auto context = uniform(1.0, 0.0);
+  context.set("order_tensor", {[](double, double) { return -1.0; }, [](double, double) { return -0.0; }});
+  EXPECT_DOUBLE_EQ(value(context, "mean_director_angle"), pi / 2);
+  EXPECT_NEAR(value(uniform(1.0, -1.5), "mean_director_angle"), -1.5, 1e-14);
+}
+
+TEST(NematicStatistics, ElasticEnergyOfATwist) {
+  auto context = uniform(0.5, 0.0);
+  set_director(
+      context, [](double, double) { return 0.5; }, [](double, double y) { return k * y; });
+  const auto zero = [](double, double) { return 0.0; };
+  context.set("order_tensor_gradient", {zero, [](double, double y) { return -k * std::sin(2.0 * k * y); }, zero,
+                                        [](double, double y) { return k * std::cos(2.0 * k * y); }});
+  const double bulk = bulk_a * 0.25 + bulk_c * 0.0625;
+  EXPECT_NEAR(value(context, "free_energy"), area * (bulk + elastic_constant * k * k), 1e-13);  // 4 K k^2 q^2
+}
+
+/// Q11 = a cos kx + e cos ky, Q12 = b sin kx cos 2ky, with its gradient and Laplacian.
+struct Modes {
+  double a, b, e;
+  static double wave12(double x, double y) { return std::sin(k * x) * std::cos(2 * k * y); }
+  [[nodiscard]] double q11(double x, double y) const { return a * std::cos(k * x) + e * std::cos(k * y); }
+  [[nodiscard]] double q12(double x, double y) const { return b * wave12(x, y); }
+  [[nodiscard]] double laplacian11(double x, double y) const { return -k * k * q11(x, y); }
+  [[nodiscard]] double laplacian12(double x, double y) const { return -5.0 * k * k * q12(x, y); }
+  [[nodiscard]] double free_energy() const {
+    auto context = uniform(1.0, 0.0);
+    const Modes m = *this;
+    context.set("order_tensor",
+                {[m](double x, double y) { return m.q11(x, y); }, [m](double x, double y) { return m.q12(x, y); }});
+    context.set("order_tensor_gradient",
+                {[m](double x, double) { return -k * m.a * std::sin(k * x); },
+                 [m](double, double y) { return -k * m.e * std::sin(k * y); },
+                 [m](double x, double y) { return k * m.b * std::cos(k * x) * std::cos(2 * k * y); },
+                 [m](double x, double y) { return -2 * k * m.b * std::sin(k * x) * std::sin(2 * k * y); }});
+    return value(context, "free_energy");
+  }
+};
+
+TEST(NematicStatistics, VariationOfTheFreeEnergyIsTheMolecularField) {
+  const Modes modes{0.6, 0.8, -0.3};
+  // H = -A Q - C Q Tr Q^2 + K lap Q, and dF = -integral of Tr(H dQ) = -2 integral of (H11 dQ11 + H12 dQ12).
+  double by_a = 0.0;
+  double by_b = 0.0;
+  constexpr int n = 64;
+  for (int j = 0; j < n; ++j) {
+    for (int i = 0; i < n; ++i) {
+      const double x = length * i / n;
+      const double y = length * j / n;
+      const double q11 = modes.q11(x, y);
+      const double q12 = modes.q12(x, y);
+      const double trace = 2.0 * (q11 * q11 + q12 * q12);
+      const double h11 = -bulk_a * q11 - bulk_c * q11 * trace + elastic_constant * modes.laplacian11(x, y);
+      const double h12 = -bulk_a * q12 - bulk_c * q12 * trace + elastic_constant * modes.laplacian12(x, y);
+      by_a -= 2.0 * h11 * std::cos(k * x) * area / (n * n);
+      by_b -= 2.0 * h12 * Modes::wave12(x, y) * area / (n * n);
+    }
+  }
+  constexpr double step = 1e-4;
+  const double along_a =
+      Modes{modes.a + step, modes.b, modes.e}.free_energy() - Modes{modes.a - step, modes.b, modes.e}.free_energy();
+  const double along_b =
+      Modes{modes.a, modes.b + step, modes.e}.free_energy() - Modes{modes.a, modes.b - step, modes.e}.free_energy();
+  EXPECT_GT(std::abs(by_a), 0.1);
+  EXPECT_GT(std::abs(by_b), 0.1);
+  EXPECT_NEAR(along_a / (2 * step), by_a, 1e-6);
+  EXPECT_NEAR(along_b / (2 * step), by_b, 1e-6);
+}
+
+TEST(NematicStatistics, FreeEnergyIsUnknownWithoutConstants) {
+  auto context = uniform(1.0, 0.0);
+  context.set_constant("elastic_constant", std::nan(""));
+  EXPECT_TRUE(std::isnan(value(context, "free_energy")));
+  EXPECT_NEAR(value(context, "mean_order"), 1.0, 1e-15);
+}
+
+TEST(NematicStatistics, OrderOfStorageDoesNotMatter) {
+  auto context = uniform(1.0, 0.0);
+  set_director(
+      context, [](double x, double y) { return 0.5 + 0.1 * std::sin(3 * x + y); },
+      [](double x, double y) { return x * y; });
+  const auto before = started(context).sample(context);
+  context.store_anew(8);
+  EXPECT_EQ(started(context).sample(context), before);
+}
+
+TEST(NematicStatistics, RefusesThreeDimensions) {
+  Scene scene;
+  scene.dimension = 3;
+  ObserverUnderTest observer("nematic_statistics");
+  try {
+    observer.plan(scene);
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_STREQ(error.what(), "nematic_statistics: knows the order tensor of two dimensions only");
+    EXPECT_EQ(error.code(), ExitCode::bad_case);
+  }
+}
+
+}  // namespace
+}  // namespace mesogen::test
