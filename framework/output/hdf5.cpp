@@ -27,8 +27,9 @@ Id property_list(hid_t kind) { return {H5Pcreate(kind), H5Pclose, "make a proper
 Id access_list() {
   silence();
   Id list = property_list(H5P_FILE_ACCESS);
-  // 1.8 is the oldest format with compact groups, 1.10 the oldest with virtual datasets.
-  check(H5Pset_libver_bounds(list.get(), H5F_LIBVER_V18, H5F_LIBVER_V110), "choose a file format");
+  // As old a format as each object allows: every HDF5 reads it (views of frames need 1.10), and its superblock has no
+  // checksum, which H5Fget_file_image would leave wrong.
+  check(H5Pset_libver_bounds(list.get(), H5F_LIBVER_EARLIEST, H5F_LIBVER_V110), "choose a file format");
 #if H5_VERSION_GE(1, 10, 7)
   // No file is changed while others may read it, and file systems without locks exist.
   check(H5Pset_file_locking(list.get(), 0, 1), "turn off file locks");
