@@ -1,0 +1,57 @@
+"""Vorticity with streamlines."""
+
+import numpy as np
+
+from ..grid import Grid, sample
+from . import style
+
+STREAM_CELLS = 96  # cells along the longer side are enough for streamlines, and keep them quick
+
+
+def lacking(scene):
+    return scene.lacks("velocity")
+
+
+def draw(axes, scene, density=1.5):
+    """The map. density: of streamlines, as matplotlib's streamplot takes it."""
+    vorticity = scene.vorticity
+    # A symmetric scale that a few extreme cells do not stretch.
+    limit = float(np.quantile(np.abs(vorticity), 0.998)) or 1.0
+    image = axes.imshow(
+        vorticity, origin="lower", extent=scene.grid.extent, cmap="RdBu_r", vmin=-limit, vmax=limit,
+        interpolation="bicubic",
+    )
+    _draw_streamlines(axes, scene, density)
+    style.box_axes(axes, scene.box)
+    style.titles(axes, "Vorticity and streamlines", scene)
+    style.colour_bar(axes, image, "vorticity (s⁻¹)")
+
+
+def _draw_streamlines(axes, scene, density):
+    grid, (u, v) = _coarse(scene)
+    speed = np.hypot(u, v)
+    if not speed.max() > 0:
+        return
+    # One cell more on each side, so that lines run up to the faces of the periodic box.
+    x, y = (np.concatenate([[c[0] - d], c, [c[-1] + d]]) for c, d in zip((grid.x, grid.y), grid.cell))
+    u, v, speed = (np.pad(field, 1, mode="wrap") for field in (u, v, speed))
+    share = np.array(scene.box) / max(scene.box)
+    axes.streamplot(
+        x, y, u, v, density=density * share, color=(0.1, 0.12, 0.15, 0.8),
+        linewidth=0.25 + 0.75 * np.sqrt(speed / speed.max()), arrowsize=0.55, minlength=0.08,
+    )
+
+
+def _coarse(scene):
+    """The velocity on at most STREAM_CELLS cells along the longer side."""
+    if max(scene.grid.shape) <= STREAM_CELLS:
+        return scene.grid, scene.velocity
+    grid = Grid(scene.box, np.maximum(4, np.rint(STREAM_CELLS * scene.box / max(scene.box))))
+    place = np.stack(np.meshgrid(grid.x, grid.y), axis=-1).reshape(-1, 2)
+    return grid, [sample(component, scene.grid, place).reshape(grid.shape) for component in scene.velocity]
+
+
+def figure(scene):
+    page, (axes,) = style.tiles(1, 1, style.map_size(scene.box))
+    draw(axes, scene)
+    return page
