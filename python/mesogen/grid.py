@@ -74,7 +74,8 @@ class Deposit:
         return self._filled(field, known)
 
     def _sum(self, values):
-        return np.bincount(self._index.ravel(), (self._weight * values).ravel(), self.grid.shape[0] * self.grid.shape[1])
+        cells = self.grid.shape[0] * self.grid.shape[1]
+        return np.bincount(self._index.ravel(), (self._weight * values).ravel(), cells)
 
     @cached_property
     def _fit(self):

@@ -62,7 +62,7 @@ def _half_turn(angle):
 
 
 def _bilinear_zero(a, b, iterations=6):
-    """Where both bilinear functions, given at corners (0,0), (1,0), (1,1), (0,1), vanish; Newton, kept in the square."""
+    """Where both bilinear functions, given at corners (0,0), (1,0), (1,1), (0,1), vanish; Newton, kept inside."""
     s = np.full(a[0].shape, 0.5)
     t = s.copy()
     for _ in range(iterations):

@@ -48,17 +48,17 @@ def main(arguments=None):
         description="Draws the results of a run: director, vorticity, pathlines, mixing, time series and a summary.",
     )
     parser.add_argument("folder", metavar="DIR", help="folder of a run, as given to 'mesogen run --output'")
-    parser.add_argument("--frame", type=int, default=-1, help="frame to draw; negative: from the end (default: the last)")
+    parser.add_argument("--frame", type=int, default=-1, help="frame to draw; negative: from the end (default: last)")
     parser.add_argument("--output", metavar="DIR", help="folder for the pictures (default: DIR/report)")
     options = parser.parse_args(arguments)
     try:
         for file, reason in report(options.folder, options.frame, options.output):
             print(f"wrote {file}" if reason is None else f"left out {os.path.basename(file)}: {reason}", flush=True)
     except MesogenError as error:
-        print(f"mesogen report: {error}", file=sys.stderr)
+        print(f"error: {error}", file=sys.stderr)
         return 2
     except OSError as error:
-        print(f"mesogen report: {error}", file=sys.stderr)
+        print(f"error: {error}", file=sys.stderr)
         return 1
     return 0
 

@@ -86,7 +86,7 @@ class Refusals(synthetic.FolderTest):
         os.makedirs(self.folder)
         code, out, err = call(self.folder)
         self.assertEqual((code, out), (2, ""))
-        self.assertIn(f"mesogen report: {self.folder}: holds no results.h5", err)
+        self.assertIn(f"error: {self.folder}: holds no results.h5", err)
         self.assertEqual(os.listdir(self.folder), [])
 
     def test_no_such_frame(self):
@@ -166,6 +166,7 @@ class Content(synthetic.FolderTest):
 class Texts(unittest.TestCase):
     def test_units(self):
         self.assertEqual(style.unit_text("kg/m^3"), "kg/m³")
+        self.assertEqual(style.unit_text("kg/(m3 s)"), "kg/(m³ s)")
         self.assertEqual(style.unit_text("1/s"), "s⁻¹")
         self.assertEqual(style.unit_text("m s^-12"), "m s⁻¹²")
         self.assertEqual(style.unit_text("1"), "")

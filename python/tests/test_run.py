@@ -68,7 +68,7 @@ class Reading(synthetic.FolderTest):
     def test_names_that_are_not_there(self):
         with self.assertRaises(mesogen.NoSuchName) as error:
             self.run_.field("velocitty")
-        self.assert_text(error, "no field 'velocitty'", "there are: colour, order_tensor, position, velocity", "[output]")
+        self.assert_text(error, "no field 'velocitty'", "colour, order_tensor, position, velocity", "[output]")
         with self.assertRaises(mesogen.NoSuchName) as error:
             self.run_.series("flow", "v_rms")
         self.assert_text(error, "no observer 'flow'", "there are: blend, knots, stream, tracers")

@@ -8,8 +8,8 @@ from .. import nematics
 from ..grid import sample
 from . import style
 
-# Dark at the cores, pale where the nematic is ordered, so that dark lines stand on it. Perceptually uniform: each colour
-# sits where its lightness L* puts it.
+# Dark at the cores, pale where the nematic is ordered, so that dark lines stand on it. Perceptually uniform: each
+# colour sits where its lightness L* puts it.
 ORDER_COLOURS = LinearSegmentedColormap.from_list(
     "order",
     [(0, "#0a1024"),
@@ -71,10 +71,9 @@ def draw_defects(axes, scene, size):
 
 def _images(place, box, margin):
     """Shifts that also show what reaches over a face of the periodic box."""
-    shifts = [
-        [0.0] + [s * box[axis] for s, near in ((1, place[axis] < margin), (-1, place[axis] > box[axis] - margin)) if near]
-        for axis in (0, 1)
-    ]
+    shifts = []
+    for x, length in zip(place, box):
+        shifts.append([0.0] + [length] * bool(x < margin) + [-length] * bool(x > length - margin))
     return [np.array([dx, dy]) for dx in shifts[0] for dy in shifts[1]]
 
 

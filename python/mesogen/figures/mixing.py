@@ -39,7 +39,8 @@ def draw_index(axes, scene):
     time, value = scene.run.series(_index(scene), "mixing_index")
     axes.plot(time, value, color=style.SERIES[1])
     if scene.time is not None:
-        axes.plot(scene.time, np.interp(scene.time, time, value), "o", color=style.SERIES[1], ms=5, mec="white", clip_on=False)
+        now = np.interp(scene.time, time, value)
+        axes.plot(scene.time, now, "o", color=style.SERIES[1], ms=5, mec="white", clip_on=False)
     axes.set_xlim(time[0], max(time[-1], time[0] + 1e-12))
     axes.set_ylim(0, 1)
     axes.set_xlabel("time (s)")

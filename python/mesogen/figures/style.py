@@ -113,12 +113,12 @@ def colour_bar(axes, image, label):
 
 
 def unit_text(unit):
-    """A unit as it is printed in a label: "kg/m^3" becomes "kg/m³", "1/s" becomes "s⁻¹", "1" nothing."""
+    """A unit as it is printed in a label: "kg/m^3" and "kg/m3" become "kg/m³", "1/s" "s⁻¹", "1" nothing."""
     raised = str.maketrans("0123456789-", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻")
     if unit in ("", "1"):
         return ""
     unit = re.sub(r"^1/(\w+)$", r"\1^-1", unit)
-    return re.sub(r"\^(-?\d+)", lambda power: power[1].translate(raised), unit)
+    return re.sub(r"(?<=[A-Za-z])\^?(-?\d+)|\^(-?\d+)", lambda power: (power[1] or power[2]).translate(raised), unit)
 
 
 def labelled(name, unit, power=0):
