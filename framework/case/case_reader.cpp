@@ -18,9 +18,7 @@ class CaseReader {
 
   void read() {
     check_names();
-    const CaseSection domain = section("domain");
-    read_keys(domain, case_keys::domain(case_.domain), {"boundary"});
-    read_boundary(domain);
+    read_domain();
     read_kernel();
     read_initial();
     read_time_and_output();
@@ -127,6 +125,20 @@ class CaseReader {
     std::string precision = "single";
     read_keys(section("run"), case_keys::run(case_.run, precision));
     case_.run.precision = precision == "single" ? Precision::single_precision : Precision::double_precision;
+  }
+
+  void read_domain() {
+    const CaseSection domain = section("domain");
+    const auto* const value = case_.tree->find_path("domain.size");
+    const auto* const list = value == nullptr ? nullptr : value->as<Value::List>();
+    if (list != nullptr && list->size() == 3) {
+      problems_.add(value->place, "domain.size",
+                    "must be a list of 2 numbers in m, since only two dimensions are built, but is " + shown(*value));
+      read_keys(domain, {}, {"size", "boundary"});
+    } else {
+      read_keys(domain, case_keys::domain(case_.domain), {"boundary"});
+    }
+    read_boundary(domain);
   }
 
   /// The choice that a section with a key `type` makes.

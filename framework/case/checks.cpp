@@ -19,8 +19,6 @@ class Checker {
   void domain_and_particles() {
     const auto& size = case_.domain.size;
     const double spacing = case_.particles.spacing;
-    if (size.size() == 3)
-      refuse("domain.size", "must be a list of 2 numbers in m: only two dimensions are built so far");
     if (size.size() != 2 || !(spacing > 0.0)) return;
     constexpr double most_particles = 2e9;
     constexpr double fewest_spacings = 4.0;

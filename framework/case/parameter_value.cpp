@@ -12,10 +12,6 @@ namespace {
 
 using Strings = std::vector<std::string>;
 
-std::string with_unit(const std::string& text, const Parameter& parameter) {
-  return parameter.unit_text == "1" ? text : text + " " + parameter.unit_text;
-}
-
 /// Reads a value, and its elements, for one parameter; each function returns nothing after a refusal.
 class Taker {
  public:
@@ -68,6 +64,10 @@ class Taker {
   }
 
  private:
+  [[nodiscard]] std::string with_unit(const std::string& text) const {
+    return parameter_.unit_text == "1" ? text : text + " " + parameter_.unit_text;
+  }
+
   template <class Target, class Type>
   static void keep(Target* target, std::optional<Type> value) {
     if (value) *target = std::move(*value);
@@ -79,14 +79,16 @@ class Taker {
   void refuse_type(const Value& value) { refuse(value, "must be " + expected_text(parameter_)); }
 
   bool in_range(double number, const Value& value, const std::string& whose) {
+    std::string range = parameter_.range_text();
+    if (range.find(" to ") != std::string::npos) range.insert(0, "from ");
     if (!std::isfinite(number)) {
-      refuse(value, whose + "must be a finite number");
+      refuse(value, whose + (range.empty() ? "must be finite" : with_unit("must be finite and " + range)));
       return false;
     }
     const bool low = number < parameter_.lowest || (parameter_.lowest_excluded && number == parameter_.lowest);
     const bool high = number > parameter_.highest || (parameter_.highest_excluded && number == parameter_.highest);
     if (!low && !high) return true;
-    refuse(value, with_unit(whose + "must be " + parameter_.range_text(), parameter_));
+    refuse(value, with_unit(whose + "must be " + range));
     return false;
   }
 

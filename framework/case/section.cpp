@@ -5,6 +5,7 @@
 
 #include "case/nearest.hpp"
 #include "case/parameter_value.hpp"
+#include "case/toml_text.hpp"
 #include "case/value.hpp"
 
 namespace mesogen {
@@ -28,7 +29,7 @@ class SectionReader {
         if (value.as<Value::Table>() != nullptr) {
           refuse_unknown(value, key_path, {});
         } else {
-          problems_.add(value.place, section_.full_key(key_path), "must be a table with the keys " + listed(inner));
+          problems_.add(value.place, section_.full_key(key_path), "must be a table with the keys " + listed(inner) + ", but is " + shown(value));
           broken_tables_.push_back(key_path + ".");
         }
       }

@@ -32,7 +32,8 @@ class MESOGEN_EXPORT Progress {
  private:
   void measure(double now, double time, std::int64_t step);
   [[nodiscard]] std::string line(double time) const;
-  void write(double time);
+  void write(const std::string& text);
+  [[nodiscard]] double percent(double time) const;
 
   std::ostream& out_;
   Style style_;
@@ -44,6 +45,7 @@ class MESOGEN_EXPORT Progress {
   double written_ = 0.0;       ///< wall time of the last line
   double written_time_ = 0.0;  ///< simulated time of the last line
   double measured_time_ = 0.0;
+  std::int64_t first_step_ = 0;
   std::int64_t measured_step_ = 0;
   double steps_per_second_ = 0.0;
   double speed_ = 0.0;  ///< simulated seconds per wall second

@@ -60,11 +60,11 @@ void pack(const ResultsOptions& options, const ResultsContent& content) {
       file.close();
     } catch (...) {
       // HDF5 cannot close a file that it cannot complete; without its values there is room to.
-      (void)::truncate(temporary.c_str(), 0);
-      ::unlink(temporary.c_str());
+      (void)!::truncate(temporary.c_str(), 0);
       throw;
     }
   } catch (const hdf5::Failure& failure) {
+    ::unlink(temporary.c_str());
     throw explain(failure);
   }
   put_in_place(path);

@@ -133,7 +133,7 @@ bool holds_run(const fs::path& folder) {
 }
 
 RunLock start_run_folder(const fs::path& given, const std::string& case_text, bool overwrite) {
-  const fs::path folder = (given.has_filename() ? given : given.parent_path()).lexically_normal();
+  const fs::path folder = (given.has_filename() ? given : given.parent_path());
   std::error_code error;
   if (fs::exists(folder, error) && !fs::is_directory(folder, error))
     throw Error(ExitCode::bad_case, folder.string() + " is a file: choose another --output");

@@ -144,8 +144,8 @@ Error PluginRegistry::missing(PluginKind kind, std::string_view name) const {
   if (known.empty())
     return {ExitCode::bad_case,
             fmt::format("there is no {} plugin at all; looked in: {}", to_string(kind), fmt::join(paths(), ", "))};
-  return {ExitCode::bad_case, fmt::format("no {} plugin is called \"{}\"{}; there are: {}", to_string(kind), name,
-                                          did_you_mean(name, known), fmt::join(known, ", "))};
+  return {ExitCode::bad_case, fmt::format("no {} plugin is called \"{}\" (there are: {}){}", to_string(kind), name,
+                                          fmt::join(known, ", "), did_you_mean(name, known))};
 }
 
 std::vector<std::string> PluginRegistry::paths() const {

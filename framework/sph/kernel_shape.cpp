@@ -59,7 +59,8 @@ std::string KernelShape::problem() const {
     if (!(piece.knot > 0.0) || !std::isfinite(piece.knot)) return "a knot is not a positive number";
     if (k > 0 && piece.knot >= pieces[k - 1].knot) return "its knots do not fall";
     if (piece.coefficients.empty()) return "a piece has no coefficients";
-    if (piece.coefficients.size() != pieces.front().coefficients.size()) return "its pieces differ in the number of coefficients";
+    if (piece.coefficients.size() != pieces.front().coefficients.size())
+      return "its pieces differ in the number of coefficients";
     for (const double c : piece.coefficients)
       if (!std::isfinite(c)) return "a coefficient is not finite";
   }

@@ -27,14 +27,14 @@ struct Neighbours {
   const Index* cell_end;
   const Index* cell_of;  ///< for each particle, the number of its cell inside the box
   Index particle_count;  ///< real particles
-  int cells[Dim];     ///< cells inside the box
-  int padding[Dim];   ///< layers of cells outside it on either side, for boundary copies
-  int reach[Dim];     ///< how many cells away a neighbour can be
-  bool wrapped[Dim];  ///< does the grid continue on the other side?
-  double width[Dim];  ///< of a cell, m
-  int tile;           ///< cells in a tile, along x
-  Real radius;        ///< support of the kernel, m
-  Real smallest;      ///< added to the square of a distance, so that 1/r is finite for a particle and itself, m^2
+  int cells[Dim];        ///< cells inside the box
+  int padding[Dim];      ///< layers of cells outside it on either side, for boundary copies
+  int reach[Dim];        ///< how many cells away a neighbour can be
+  bool wrapped[Dim];     ///< does the grid continue on the other side?
+  double width[Dim];     ///< of a cell, m
+  int tile;              ///< cells in a tile, along x
+  Real radius;           ///< support of the kernel, m
+  Real smallest;         ///< added to the square of a distance, so that 1/r is finite for a particle and itself, m^2
 
   static constexpr int most_segments = Dim == 2 ? 24 : 96;
 

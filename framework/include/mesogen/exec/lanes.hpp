@@ -34,8 +34,9 @@ template <class Real, class Abi>
 }
 /// a where the condition holds, b elsewhere.
 template <class Real, class Abi>
-[[gnu::always_inline]] inline stdx::simd<Real, Abi> select(const stdx::simd_mask<Real, Abi>& condition, const stdx::simd<Real, Abi>& a,
-                             const stdx::simd<Real, Abi>& b) {
+[[gnu::always_inline]] inline stdx::simd<Real, Abi> select(const stdx::simd_mask<Real, Abi>& condition,
+                                                           const stdx::simd<Real, Abi>& a,
+                                                           const stdx::simd<Real, Abi>& b) {
   stdx::simd<Real, Abi> result = b;
   stdx::where(condition, result) = a;
   return result;
@@ -45,7 +46,7 @@ template <class Real, class Abi>
 /// and a division.
 template <class Real, class Abi>
 [[gnu::always_inline]] inline stdx::simd<Real, Abi> inverse_square_root(const stdx::simd<Real, Abi>& x) {
-  using Lane = stdx::simd<Real, Abi>;
+  using Lane [[maybe_unused]] = stdx::simd<Real, Abi>;
 #ifdef __AVX512F__
   if constexpr (sizeof(Lane) == 64) {
     const Lane half = x * Real(-0.5);
@@ -80,7 +81,8 @@ template <int Count, class Lane, class Real>
       return _mm_add_ps(_mm256_castps256_ps128(y), _mm256_extractf128_ps(y, 1));
     };
     for (int n = 0; n < Count; n += 4) {
-      const __m128 four = _mm_hadd_ps(_mm_hadd_ps(quarter(n), quarter(n + 1)), _mm_hadd_ps(quarter(n + 2), quarter(n + 3)));
+      const __m128 four =
+          _mm_hadd_ps(_mm_hadd_ps(quarter(n), quarter(n + 1)), _mm_hadd_ps(quarter(n + 2), quarter(n + 3)));
       alignas(16) float out[4];
       _mm_store_ps(out, four);
       for (int m = 0; m < 4 && n + m < Count; ++m) total[n + m] = out[m];

@@ -32,8 +32,7 @@ class MESOGEN_EXPORT Boundary {
   virtual void keep_inside(const Scene& scene, double* position, std::int32_t* images) const = 0;
   /// Copies needed so that every particle of the box finds all neighbours within `reach`. `position[d]` points to the
   /// coordinates of all particles. The order of the copies must not depend on the number of threads.
-  virtual void copies(const Scene& scene, const double* const* position, Index count, double reach,
-                      Copies& out) const;
+  virtual void copies(const Scene& scene, const double* const* position, Index count, double reach, Copies& out) const;
   /// Writes the value of one field's component at every copy. As the field stands, copies follow the real particles.
   /// By default each takes its source's value.
   virtual void refresh(const Copies& copies, FieldView<float> field, int components, Index count) const;

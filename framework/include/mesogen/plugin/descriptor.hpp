@@ -27,7 +27,8 @@ inline constexpr std::uint64_t descriptor_magic = 0x4e45474f53454d31ULL;  // "1M
 #else
 #define MESOGEN_COMPILER "gcc"
 #endif
-#define MESOGEN_BUILD_TAG MESOGEN_COMPILER "-itanium" MESOGEN_STRINGIFY(__GXX_ABI_VERSION) "-cxx11abi" MESOGEN_STRINGIFY(_GLIBCXX_USE_CXX11_ABI)
+#define MESOGEN_BUILD_TAG \
+  MESOGEN_COMPILER "-itanium" MESOGEN_STRINGIFY(__GXX_ABI_VERSION) "-cxx11abi" MESOGEN_STRINGIFY(_GLIBCXX_USE_CXX11_ABI)
 
 /// The one thing a plugin library exports, under the name `mesogen_plugin`. Plain data, checked field by field before
 /// any C++ type behind it is touched.

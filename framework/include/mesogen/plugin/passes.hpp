@@ -49,11 +49,11 @@ struct MESOGEN_EXPORT FieldDeclaration {
 struct MESOGEN_EXPORT Pass {
   std::string name;
   Phase phase = Phase::rates;
-  std::vector<std::string> own_reads;         ///< read at the particle itself
-  std::vector<std::string> neighbour_reads;   ///< read at neighbours too
-  std::vector<std::string> optional_reads;    ///< read if the scene has them; see PassContext::has
-  std::vector<std::string> write_list;        ///< overwritten; one writer a field and phase
-  std::vector<std::string> accumulate_list;   ///< added to; the framework zeroes it first, additions in case order
+  std::vector<std::string> own_reads;        ///< read at the particle itself
+  std::vector<std::string> neighbour_reads;  ///< read at neighbours too
+  std::vector<std::string> optional_reads;   ///< read if the scene has them; see PassContext::has
+  std::vector<std::string> write_list;       ///< overwritten; one writer a field and phase
+  std::vector<std::string> accumulate_list;  ///< added to; the framework zeroes it first, additions in case order
   std::function<void(const PassContext&)> body;
 
   Pass& reads(std::initializer_list<std::string_view> fields);

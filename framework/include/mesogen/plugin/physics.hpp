@@ -19,12 +19,12 @@ class MESOGEN_EXPORT Physics {
   virtual void parameters(ParameterList& list) = 0;
   /// Says what magnitudes it brings to the scene. Parameters are set.
   virtual void scales(Scales& scales) const;
-  /// Chooses what depends on the scene and on the other plugins' scales.
-  virtual void prepare(const Scene& scene, const Scales& scales);
+  /// Numbers that others may want, by name: constants["elastic_constant"] = 0.02.
+  virtual void constants(Constants& constants) const;
+  /// Chooses what depends on the scene and on what the other plugins said in scales() and constants().
+  virtual void prepare(const Scene& scene);
   /// Names fields and passes; may depend on parameters. Also called with default parameters, for `plugin info`.
   virtual void passes(PassList& list) = 0;
-  /// Numbers that observers may want, by name: constants["elastic_constant"] = 0.02.
-  virtual void constants(Constants& constants) const;
   /// Limits on the step that stay the same over the run.
   virtual void step_limits(const Scene& scene, StepLimits& limits) const;
 };

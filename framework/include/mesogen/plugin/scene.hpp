@@ -12,6 +12,16 @@
 
 namespace mesogen {
 
+/// Magnitudes that plugins tell each other through the framework, so that one can choose its numerics by another's
+/// physics without knowing it. Each is the largest that any plugin gave; 0: nobody did.
+struct Scales {
+  double stress = 0.0;  ///< largest stress beside pressure and viscosity, Pa
+  double speed = 0.0;   ///< expected or initial speed, m/s
+};
+
+/// Numbers that physics plugins publish for observers and for each other: "elastic_constant", "density", ...
+using Constants = std::map<std::string, double, std::less<>>;
+
 /// What a plugin may know of the case beside its own parameters: fixed before the run starts.
 struct Scene {
   int dimension = 2;
@@ -21,17 +31,9 @@ struct Scene {
   double smoothing_length = 0.0;  ///< h, m
   double support = 0.0;           ///< radius of the kernel, m
   Index particle_count = 0;
+  Scales scales;        ///< what the physics plugins said of their magnitudes
+  Constants constants;  ///< what they published by name
 };
-
-/// Magnitudes that plugins tell each other through the framework, so that one can choose its numerics by another's
-/// physics without knowing it. Each is the largest that any plugin gave; 0: nobody did.
-struct Scales {
-  double stress = 0.0;  ///< largest stress beside pressure and viscosity, Pa
-  double speed = 0.0;   ///< expected or initial speed, m/s
-};
-
-/// Numbers that physics plugins publish for observers.
-using Constants = std::map<std::string, double, std::less<>>;
 
 /// Limits on the step; the smallest binds, and its name is reported.
 class MESOGEN_EXPORT StepLimits {

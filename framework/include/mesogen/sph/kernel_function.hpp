@@ -5,6 +5,16 @@
 
 namespace mesogen::sph {
 
+/// The kernel of a run: its shape and smoothing length.
+struct SmoothingKernel {
+  KernelShape shape;
+  double smoothing_length = 0.0;  ///< h, m
+  double scale = 0.0;             ///< shape.normalisation(Dim) / h^Dim
+
+  /// Radius beyond which the kernel is zero, m.
+  [[nodiscard]] double radius() const { return shape.pieces.front().knot * smoothing_length; }
+};
+
 namespace detail {
 
 template <int Exponent, class Lane>
@@ -23,6 +33,19 @@ template <int Exponent, class Lane>
   }
 }
 
+/// Coefficients of one piece of W and of dW/dr.
+template <class Real>
+void scale_piece(const SmoothingKernel& kernel, int k, Real& knot, Real* value, Real* slope) {
+  const auto& piece = kernel.shape.pieces[static_cast<unsigned>(k)];
+  knot = Real(piece.knot);
+  int exponent = kernel.shape.power;
+  for (const double coefficient : piece.coefficients) {
+    const double c = coefficient * kernel.scale;
+    *value++ = Real(c);
+    *slope++ = Real(-c * exponent++ / kernel.smoothing_length);
+  }
+}
+
 }  // namespace detail
 
 /// A normalised kernel of one unrolled form: `Knots` pieces of `Terms` powers from `Power` up. The coefficients stay
@@ -30,35 +53,24 @@ template <int Exponent, class Lane>
 template <class Real, int Knots, int Terms, int Power>
 class KernelFunction {
  public:
-  KernelFunction(const KernelShape& shape, double smoothing_length, int dimension) {
-    double scale = shape.normalisation(dimension);
-    for (int d = 0; d < dimension; ++d) scale /= smoothing_length;
-    inverse_length_ = Real(1.0 / smoothing_length);
-    for (int k = 0; k < Knots; ++k) {
-      const auto& piece = shape.pieces[static_cast<unsigned>(k)];
-      knot_[k] = Real(piece.knot);
-      for (int n = 0; n < Terms; ++n) {
-        const double c = piece.coefficients[static_cast<unsigned>(n)] * scale;
-        value_[k][n] = Real(c);
-        slope_[k][n] = Real(-c * (Power + n) / smoothing_length);
-      }
-    }
+  explicit KernelFunction(const SmoothingKernel& kernel) : inverse_length_(Real(1.0 / kernel.smoothing_length)) {
+    for (int k = 0; k < Knots; ++k) detail::scale_piece(kernel, k, knot_[k], value_[k], slope_[k]);
   }
 
   /// W(r), 1/m^Dim.
   template <class Lane>
-  [[gnu::always_inline]]   MESOGEN_HOST_DEVICE Lane value(const Lane& r) const {
+  [[gnu::always_inline]] MESOGEN_HOST_DEVICE Lane value(const Lane& r) const {
     return sum<Power>(r * inverse_length_, value_);
   }
   /// dW/dr, 1/m^(Dim + 1).
   template <class Lane>
-  [[gnu::always_inline]]   MESOGEN_HOST_DEVICE Lane derivative(const Lane& r) const {
+  [[gnu::always_inline]] MESOGEN_HOST_DEVICE Lane derivative(const Lane& r) const {
     return sum<Power - 1>(r * inverse_length_, slope_);
   }
 
  private:
   template <int Lowest, class Lane>
-  [[gnu::always_inline]]   MESOGEN_HOST_DEVICE Lane sum(const Lane& q, const Real (&coefficient)[Knots][Terms]) const {
+  [[gnu::always_inline]] MESOGEN_HOST_DEVICE Lane sum(const Lane& q, const Real (&coefficient)[Knots][Terms]) const {
     Lane total(Real(0));
     for (int k = 0; k < Knots; ++k) {
       const Lane t = exec::positive_part(Lane(knot_[k]) - q);
@@ -81,36 +93,27 @@ class GeneralKernelFunction {
  public:
   static constexpr int most = 6;
 
-  GeneralKernelFunction(const KernelShape& shape, double smoothing_length, int dimension)
-      : knots_(static_cast<int>(shape.pieces.size())),
-        terms_(static_cast<int>(shape.pieces.front().coefficients.size())),
-        power_(shape.power),
-        inverse_length_(Real(1.0 / smoothing_length)) {
-    double scale = shape.normalisation(dimension);
-    for (int d = 0; d < dimension; ++d) scale /= smoothing_length;
-    for (int k = 0; k < knots_; ++k) {
-      const auto& piece = shape.pieces[static_cast<unsigned>(k)];
-      knot_[k] = Real(piece.knot);
-      for (int n = 0; n < terms_; ++n) {
-        const double c = piece.coefficients[static_cast<unsigned>(n)] * scale;
-        value_[k][n] = Real(c);
-        slope_[k][n] = Real(-c * (power_ + n) / smoothing_length);
-      }
-    }
+  explicit GeneralKernelFunction(const SmoothingKernel& kernel)
+      : knots_(static_cast<int>(kernel.shape.pieces.size())),
+        terms_(static_cast<int>(kernel.shape.pieces.front().coefficients.size())),
+        power_(kernel.shape.power),
+        inverse_length_(Real(1.0 / kernel.smoothing_length)) {
+    for (int k = 0; k < knots_; ++k) detail::scale_piece(kernel, k, knot_[k], value_[k], slope_[k]);
   }
 
   template <class Lane>
-  [[gnu::always_inline]]   MESOGEN_HOST_DEVICE Lane value(const Lane& r) const {
+  [[gnu::always_inline]] MESOGEN_HOST_DEVICE Lane value(const Lane& r) const {
     return sum(power_, r * inverse_length_, value_);
   }
   template <class Lane>
-  [[gnu::always_inline]]   MESOGEN_HOST_DEVICE Lane derivative(const Lane& r) const {
+  [[gnu::always_inline]] MESOGEN_HOST_DEVICE Lane derivative(const Lane& r) const {
     return sum(power_ - 1, r * inverse_length_, slope_);
   }
 
  private:
   template <class Lane>
-  [[gnu::always_inline]]   MESOGEN_HOST_DEVICE Lane sum(int lowest, const Lane& q, const Real (&coefficient)[most][most]) const {
+  [[gnu::always_inline]] MESOGEN_HOST_DEVICE Lane sum(int lowest, const Lane& q,
+                                                      const Real (&coefficient)[most][most]) const {
     Lane total(Real(0));
     for (int k = 0; k < knots_; ++k) {
       const Lane t = exec::positive_part(Lane(knot_[k]) - q);
@@ -131,33 +134,23 @@ class GeneralKernelFunction {
   Real slope_[most][most];
 };
 
-/// The kernel of a run: its shape and smoothing length.
-struct SmoothingKernel {
-  KernelShape shape;
-  double smoothing_length = 0.0;  ///< h, m
-
-  /// Radius beyond which the kernel is zero, m.
-  [[nodiscard]] double radius() const { return shape.support() * smoothing_length; }
-};
-
 /// The one run-time choice of a pass: calls `action` with the unrolled form that fits the kernel.
 template <class Real, class Action>
-void with_kernel_function(const SmoothingKernel& kernel, int dimension, Action&& action) {
-  const auto& shape = kernel.shape;
+void with_kernel_function(const SmoothingKernel& kernel, Action&& action) {
   const auto is = [&](unsigned knots, unsigned terms, int power) {
+    const auto& shape = kernel.shape;
     return shape.pieces.size() == knots && shape.pieces.front().coefficients.size() == terms && shape.power == power;
   };
-  const double h = kernel.smoothing_length;
   if (is(3, 1, 5)) {
-    action(KernelFunction<Real, 3, 1, 5>(shape, h, dimension));  // quintic spline
+    action(KernelFunction<Real, 3, 1, 5>(kernel));  // quintic spline
   } else if (is(1, 2, 4)) {
-    action(KernelFunction<Real, 1, 2, 4>(shape, h, dimension));  // Wendland C2
+    action(KernelFunction<Real, 1, 2, 4>(kernel));  // Wendland C2
   } else if (is(1, 3, 6)) {
-    action(KernelFunction<Real, 1, 3, 6>(shape, h, dimension));  // Wendland C4
+    action(KernelFunction<Real, 1, 3, 6>(kernel));  // Wendland C4
   } else if (is(1, 4, 8)) {
-    action(KernelFunction<Real, 1, 4, 8>(shape, h, dimension));  // Wendland C6
+    action(KernelFunction<Real, 1, 4, 8>(kernel));  // Wendland C6
   } else {
-    action(GeneralKernelFunction<Real>(shape, h, dimension));
+    action(GeneralKernelFunction<Real>(kernel));
   }
 }
 

@@ -28,9 +28,9 @@ template <class Real, int Dim, class LaneType, class Kernel>
 struct Pair {
   using Lane = LaneType;
 
-  Lane separation[Dim];  ///< r_i - r_j, m
-  Lane distance;         ///< |r_i - r_j|, m; never exactly zero
-  Lane inverse_distance; ///< 1 / distance, 1/m
+  Lane separation[Dim];   ///< r_i - r_j, m
+  Lane distance;          ///< |r_i - r_j|, m; never exactly zero
+  Lane inverse_distance;  ///< 1 / distance, 1/m
   const Kernel& kernel;
   Real radius;
   Index j;
@@ -42,7 +42,9 @@ struct Pair {
   /// W(r_ij), 1/m^Dim.
   [[gnu::always_inline]] MESOGEN_HOST_DEVICE Lane value() const { return kernel.value(distance); }
   /// W'(r_ij) / r_ij: times the separation it is the gradient of W with respect to r_i. 1/m^(Dim + 2), negative.
-  [[gnu::always_inline]] MESOGEN_HOST_DEVICE Lane gradient() const { return kernel.derivative(distance) * inverse_distance; }
+  [[gnu::always_inline]] MESOGEN_HOST_DEVICE Lane gradient() const {
+    return kernel.derivative(distance) * inverse_distance;
+  }
   /// The given lane where j is within the support, zero elsewhere: for sums that the kernel does not weight.
   [[gnu::always_inline]] MESOGEN_HOST_DEVICE Lane inside(const Lane& x) const {
     return exec::select(distance < Lane(radius), x, Lane(Real(0)));
@@ -107,7 +109,8 @@ struct PairSumOfParticle {
 
 #else
 
-/// The neighbours of a cell cut into packs: one loop of known length a particle, the same for all particles of the cell.
+/// The neighbours of a cell cut into packs: one loop of known length a particle, the same for all particles of the
+/// cell.
 template <class Real, int Dim, int Width>
 struct NeighbourBlocks {
   struct Block {
@@ -184,7 +187,7 @@ void pair_sums_of_cell(const Neighbours<Real, Dim>& neighbours, const Kernel& ke
 template <class Real, int Dim, class Pass>
 void pair_sum(const exec::Space& space, const Neighbours<Real, Dim>& neighbours, const SmoothingKernel& kernel,
               const Pass& pass) {
-  with_kernel_function<Real>(kernel, Dim, [&](const auto& function) {
+  with_kernel_function<Real>(kernel, [&](const auto& function) {
 #ifdef __CUDACC__
     using Kernel = std::decay_t<decltype(function)>;
     exec::for_each(space, neighbours.particle_count,

@@ -1,0 +1,78 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "domain/particles.hpp"
+#include "mesogen/domain/neighbours.hpp"
+#include "mesogen/export.hpp"
+#include "mesogen/plugin/boundary.hpp"
+#include "mesogen/plugin/scene.hpp"
+
+namespace mesogen {
+
+/// The cell grid, the order of particles in storage and the copies beyond the faces.
+///
+/// Cells reach a little farther than the support (the skin), so the sorting and the copies stay valid until some
+/// particle has moved by half of it: hundreds of steps in a slow flow. All that follows from `sorted_position()`, the
+/// coordinates at the last sorting; a checkpoint keeps them, so that a resumed run sums in the same order.
+class MESOGEN_EXPORT Neighbourhood {
+ public:
+  Neighbourhood(const Scene& scene, const Boundary& boundary);
+
+  /// Particles moved. Returns the new order of storage if they had to be sorted anew (place n takes what stood at
+  /// order[n]; particles themselves are already permuted), nullptr if not.
+  const std::vector<Index>* update(Particles& particles);
+
+  /// Takes up where a run stopped: particles are in the order of storage and were sorted at these coordinates.
+  void restore(const Particles& particles, std::array<std::vector<double>, 3> sorted_position);
+  [[nodiscard]] const std::array<std::vector<double>, 3>& sorted_position() const { return sorted_position_; }
+
+  [[nodiscard]] const Copies& copies() const { return copies_; }
+  [[nodiscard]] Index copy_count() const { return static_cast<Index>(copies_.source.size()); }
+  /// Raised whenever a particle has moved: what was computed from positions is out of date.
+  [[nodiscard]] std::uint64_t version() const { return version_; }
+  /// Raised whenever the copies are others.
+  [[nodiscard]] std::uint64_t sorted_version() const { return sorted_version_; }
+  [[nodiscard]] std::int64_t sortings() const { return sortings_; }
+
+  template <class Real, int Dim>
+  void fill(Neighbours<Real, Dim>& grid) const;
+
+ private:
+  void choose_cells();
+  [[nodiscard]] int cell_along(int axis, double position) const;
+  [[nodiscard]] int padded(const std::array<int, 3>& cell) const;
+  [[nodiscard]] double tile_origin(int axis, int cell) const;
+  void sort_particles(Particles& particles);
+  void find_cells();
+  void make_copies();
+  template <class Real>
+  [[nodiscard]] bool place(const Particles& particles, std::array<std::vector<Real>, 3>& local) const;
+  [[nodiscard]] bool place(const Particles& particles);
+
+  const Scene& scene_;
+  const Boundary& boundary_;
+  double skin_;
+  std::array<int, 3> cells_{1, 1, 1};
+  std::array<int, 3> padding_{};
+  std::array<int, 3> reach_{};
+  std::array<bool, 3> wrapped_{};
+  std::array<double, 3> width_{};
+
+  std::array<std::vector<double>, 3> sorted_position_;
+  std::vector<Index> order_;
+  std::vector<Index> cell_of_;     // number, inside the box, of each particle's cell
+  std::vector<Index> cell_begin_;  // by padded cell
+  std::vector<Index> cell_end_;
+  Copies copies_;
+  std::array<std::vector<double>, 3> copy_origin_;  // of the tile of each copy
+  std::array<std::vector<float>, 3> local_single_;
+  std::array<std::vector<double>, 3> local_double_;
+  std::uint64_t version_ = 0;
+  std::uint64_t sorted_version_ = 0;
+  std::int64_t sortings_ = 0;
+};
+
+}  // namespace mesogen

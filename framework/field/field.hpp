@@ -1,0 +1,75 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "mesogen/export.hpp"
+#include "mesogen/field/rank.hpp"
+#include "mesogen/field/view.hpp"
+
+namespace mesogen {
+
+/// A named array over particles and boundary copies.
+///
+/// Passes see it in the precision of the run. A field that is advanced in time also has a master copy in double: a step
+/// changes it by less than float resolves (at the paper's parameters by 1e-7 of itself).
+class MESOGEN_EXPORT Field {
+ public:
+  Field(std::string name, int components, Precision precision, bool integrated);
+
+  [[nodiscard]] const std::string& name() const { return name_; }
+  [[nodiscard]] int components() const { return components_; }
+  [[nodiscard]] bool integrated() const { return integrated_; }
+  [[nodiscard]] bool is_double() const { return precision_ == Precision::double_precision; }
+
+  /// Makes room for so many particles and copies; keeps the values of the particles.
+  void resize(Index particles, Index copies);
+
+  template <class Real>
+  [[nodiscard]] FieldView<Real> view();
+  /// Of an integrated field: the double that is advanced. The same memory as view<double>() in double precision.
+  [[nodiscard]] FieldView<double> master() { return {double_.data(), stride_}; }
+  /// Value in the best precision there is.
+  [[nodiscard]] double value(int component, Index particle) const;
+  void set(int component, Index particle, double value);
+  void fill_zero();
+
+  /// New place of every particle: place n takes what stood at order[n].
+  void permute(const std::vector<Index>& order);
+
+  /// Every write raises the version; the boundary copies are those of version `refreshed`.
+  std::uint64_t version = 1;
+  std::uint64_t refreshed = 0;
+
+  std::string unit;
+  std::string doc;
+
+ private:
+  std::string name_;
+  int components_;
+  Precision precision_;
+  bool integrated_;
+  Index particles_ = 0;
+  std::ptrdiff_t stride_ = 0;
+  std::vector<float> single_;
+  std::vector<double> double_;
+  std::vector<double> scratch_;
+  std::vector<float> scratch_single_;
+};
+
+/// All fields of a run, by name.
+class MESOGEN_EXPORT FieldStore {
+ public:
+  Field& add(std::unique_ptr<Field> field);
+  [[nodiscard]] Field* find(std::string_view name) const;
+  [[nodiscard]] Field& at(std::string_view name) const;
+  [[nodiscard]] const std::map<std::string, std::unique_ptr<Field>, std::less<>>& all() const { return fields_; }
+
+ private:
+  std::map<std::string, std::unique_ptr<Field>, std::less<>> fields_;
+};
+
+}  // namespace mesogen

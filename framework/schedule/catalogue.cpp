@@ -1,0 +1,76 @@
+#include "schedule/catalogue.hpp"
+
+#include "mesogen/diagnostics/error.hpp"
+#include "schedule/derived_name.hpp"
+
+namespace mesogen {
+
+void Catalogue::add(const FieldDeclaration& declaration, const std::string& owner) {
+  const auto at = entries_.find(declaration.name);
+  if (at == entries_.end()) {
+    entries_.emplace(declaration.name, Entry{declaration, owner});
+    return;
+  }
+  if (!at->second.initial)
+    throw Error(ExitCode::bad_case, "field '" + declaration.name + "' is introduced by both " + at->second.owner +
+                                        " and " + owner + ": remove one of them from the case");
+  at->second.declaration = declaration;
+  at->second.owner = owner;
+}
+
+void Catalogue::add_initial(const FieldDeclaration& declaration, const std::string& owner) {
+  const auto at = entries_.find(declaration.name);
+  if (at == entries_.end()) {
+    entries_.emplace(declaration.name, Entry{declaration, owner, true});
+  } else {
+    at->second.initial = true;
+  }
+}
+
+const Catalogue::Entry* Catalogue::find(std::string_view field) const {
+  const auto at = entries_.find(field);
+  return at == entries_.end() ? nullptr : &at->second;
+}
+
+int Catalogue::components(std::string_view field) const {
+  if (const Entry* entry = find(field)) return component_count(entry->declaration.rank, dimension_);
+  const DerivedName derived = derived_name(field);
+  switch (derived.kind) {
+    case DerivedName::Kind::none: return 0;
+    case DerivedName::Kind::volume: return 1;
+    case DerivedName::Kind::correction: return dimension_ * dimension_;
+    case DerivedName::Kind::gradient: return components(derived.source) * dimension_;
+    case DerivedName::Kind::laplacian: return components(derived.source);
+  }
+  return 0;
+}
+
+bool Catalogue::exists(std::string_view field) const { return components(field) > 0; }
+
+std::string Catalogue::unit(std::string_view field) const {
+  if (const Entry* entry = find(field)) return entry->declaration.unit_text;
+  const DerivedName derived = derived_name(field);
+  const auto per = [&](const std::string& length) {
+    const std::string of = unit(derived.source);
+    return of == "1" ? "1/" + length : "(" + of + ")/" + length;
+  };
+  switch (derived.kind) {
+    case DerivedName::Kind::volume: return "m" + std::to_string(dimension_);
+    case DerivedName::Kind::gradient: return per("m");
+    case DerivedName::Kind::laplacian: return per("m2");
+    default: return "1";
+  }
+}
+
+bool Catalogue::is_state(std::string_view field) const {
+  const Entry* entry = find(field);
+  return entry != nullptr && (entry->initial || entry->declaration.advance != Advance::never);
+}
+
+std::vector<std::string> Catalogue::names() const {
+  std::vector<std::string> names;
+  for (const auto& [name, entry] : entries_) names.push_back(name);
+  return names;
+}
+
+}  // namespace mesogen

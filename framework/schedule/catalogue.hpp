@@ -1,0 +1,46 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "mesogen/export.hpp"
+#include "mesogen/plugin/passes.hpp"
+
+namespace mesogen {
+
+/// The fields of a scene: what each is and who introduced it.
+class MESOGEN_EXPORT Catalogue {
+ public:
+  struct Entry {
+    FieldDeclaration declaration;
+    std::string owner;     ///< instance, "director", ...
+    bool initial = false;  ///< the initial conditions set it
+  };
+
+  explicit Catalogue(int dimension) : dimension_(dimension) {}
+
+  /// A field of a plugin. Throws if another plugin introduced it already.
+  void add(const FieldDeclaration& declaration, const std::string& owner);
+  /// A field that the initial conditions set, whether or not a plugin knows it.
+  void add_initial(const FieldDeclaration& declaration, const std::string& owner);
+
+  [[nodiscard]] const Entry* find(std::string_view field) const;
+  /// Does the scene have this field, declared or derived from a declared one?
+  [[nodiscard]] bool exists(std::string_view field) const;
+  /// Components of an existing field; 0 if there is none of this name.
+  [[nodiscard]] int components(std::string_view field) const;
+  /// Unit of an existing field: "1/m2 x unit of its source" for derived ones.
+  [[nodiscard]] std::string unit(std::string_view field) const;
+  /// A state keeps its value from step to step: advanced in time or set once.
+  [[nodiscard]] bool is_state(std::string_view field) const;
+  [[nodiscard]] const std::map<std::string, Entry, std::less<>>& all() const { return entries_; }
+  [[nodiscard]] std::vector<std::string> names() const;
+
+ private:
+  int dimension_;
+  std::map<std::string, Entry, std::less<>> entries_;
+};
+
+}  // namespace mesogen

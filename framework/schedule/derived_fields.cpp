@@ -1,0 +1,160 @@
+#include "schedule/derived_fields.hpp"
+
+#include <algorithm>
+#include <chrono>
+
+#include "schedule/derived_name.hpp"
+#include "sph/standard_passes.hpp"
+
+namespace mesogen {
+
+namespace {
+
+constexpr std::size_t most_components = 4;
+
+}  // namespace
+
+DerivedFields::DerivedFields(World& world, const Catalogue& catalogue, const std::set<std::string>& for_integration,
+                             const std::vector<std::set<std::string>>& for_readers)
+    : world_(world) {
+  std::set<std::string> all = for_integration;
+  for (const auto& reader : for_readers) all.insert(reader.begin(), reader.end());
+  if (all.empty()) return;
+
+  world_.add_field("volume", 1, false);
+  PairPass volume;
+  volume.volume = true;
+  volume.counter.title = "volume";
+  passes_.push_back(std::move(volume));
+  pass_of_["volume"] = {0};
+  for (const std::string& field : all)
+    if (field != "volume") world_.add_field(field, catalogue.components(field), false);
+
+  const auto note = [](Wanted& wanted, const std::string& field) {
+    const DerivedName derived = derived_name(field);
+    auto& [gradient, laplacian] = wanted[derived.source];
+    (derived.kind == DerivedName::Kind::gradient ? gradient : laplacian) = true;
+  };
+  Wanted shared;
+  std::vector<std::string> alone;
+  for (const std::string& field : for_integration) {
+    if (field == "volume" || field == "correction") continue;
+    if (catalogue.is_state(derived_name(field).source)) {
+      note(shared, field);
+    } else {
+      alone.push_back(field);
+    }
+  }
+  add_passes(shared, for_integration.contains("correction"));
+  for (const std::string& field : all)
+    if (!for_integration.contains(field)) alone.push_back(field);
+  for (const std::string& field : alone) {
+    if (pass_of_.contains(field)) continue;
+    Wanted wanted;
+    if (field != "correction") note(wanted, field);
+    add_passes(wanted, field == "correction");
+  }
+}
+
+void DerivedFields::add_passes(const Wanted& wanted, bool correction) {
+  std::vector<Component> components;
+  for (const auto& [source, kinds] : wanted) {
+    Field& field = world_.fields.at(source);
+    Field* const gradient = kinds.first ? &world_.fields.at(source + "_gradient") : nullptr;
+    Field* const laplacian = kinds.second ? &world_.fields.at(source + "_laplacian") : nullptr;
+    for (int c = 0; c < field.components(); ++c) components.push_back({&field, c, gradient, laplacian});
+  }
+  for (std::size_t from = 0; from < components.size() || correction; from += most_components) {
+    PairPass pass;
+    for (std::size_t n = from; n < std::min(from + most_components, components.size()); ++n)
+      pass.components.push_back(components[n]);
+    std::set<std::string> made;
+    if (correction) {
+      pass.correction = &world_.fields.at("correction");
+      made.insert("correction");
+      correction = false;
+    }
+    for (const Component& component : pass.components) {
+      if (component.gradient != nullptr) made.insert(component.gradient->name());
+      if (component.laplacian != nullptr) made.insert(component.laplacian->name());
+    }
+    for (const std::string& field : made) {
+      pass_of_[field].push_back(passes_.size());
+      pass.counter.title += (pass.counter.title.empty() ? "" : ", ") + field;
+    }
+    pass.sources.assign(pass.components.size(), 0);
+    passes_.push_back(std::move(pass));
+  }
+}
+
+bool DerivedFields::stale(const PairPass& pass) const {
+  if (pass.positions != world_.neighbourhood.version()) return true;
+  for (std::size_t n = 0; n < pass.components.size(); ++n)
+    if (pass.sources[n] != pass.components[n].source->version) return true;
+  return false;
+}
+
+void DerivedFields::make(const std::string& field) {
+  for (const std::size_t n : pass_of_.at(field)) {
+    // A gradient of a gradient: its source first.
+    for (const Component& component : passes_[n].components)
+      if (has(component.source->name())) make(component.source->name());
+    if (stale(passes_[n])) run(passes_[n]);
+  }
+}
+
+void DerivedFields::run(PairPass& pass) {
+  if (!pass.volume) make("volume");
+  const auto start = std::chrono::steady_clock::now();
+  if (!pass.volume) world_.refresh_copies(world_.fields.at("volume"));
+  for (const Component& component : pass.components) world_.refresh_copies(*component.source);
+  if (world_.single()) {
+    run_pair_sums<float, 2>(pass);
+  } else {
+    run_pair_sums<double, 2>(pass);
+  }
+  pass.positions = world_.neighbourhood.version();
+  for (std::size_t n = 0; n < pass.components.size(); ++n) {
+    const Component& component = pass.components[n];
+    pass.sources[n] = component.source->version;
+    if (component.gradient != nullptr) ++component.gradient->version;
+    if (component.laplacian != nullptr) ++component.laplacian->version;
+  }
+  if (pass.correction != nullptr) ++pass.correction->version;
+  if (pass.volume) ++world_.fields.at("volume").version;
+  ++pass.counter.runs;
+  pass.counter.seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+template <class Real, int Dim>
+void DerivedFields::run_pair_sums(PairPass& pass) {
+  Neighbours<Real, Dim> neighbours{};
+  world_.neighbourhood.fill(neighbours);
+  const exec::Space space;
+  const FieldView<Real> volume = world_.fields.at("volume").view<Real>();
+  if (pass.volume) {
+    sph::volumes<Real, Dim>(space, neighbours, world_.kernel, volume);
+    return;
+  }
+  sph::Derivatives<Real, Dim> wanted{};
+  wanted.volume = {volume.base, volume.stride};
+  for (const Component& component : pass.components) {
+    const int n = wanted.count++;
+    wanted.source[n] = component.source->view<Real>().component(component.index);
+    if (component.gradient != nullptr)
+      for (int d = 0; d < Dim; ++d)
+        wanted.gradient[n][d] = component.gradient->view<Real>().component(component.index * Dim + d);
+    if (component.laplacian != nullptr)
+      wanted.laplacian[n] = component.laplacian->view<Real>().component(component.index);
+  }
+  if (pass.correction != nullptr) wanted.correction = pass.correction->view<Real>();
+  sph::derivatives<Real, Dim>(space, neighbours, world_.kernel, wanted);
+}
+
+std::vector<DerivedFields::Counter> DerivedFields::counters() const {
+  std::vector<Counter> all;
+  for (const PairPass& pass : passes_) all.push_back(pass.counter);
+  return all;
+}
+
+}  // namespace mesogen

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "mesogen/export.hpp"
+#include "schedule/catalogue.hpp"
+#include "schedule/world.hpp"
+
+namespace mesogen {
+
+/// The fields that the framework offers: volume, correction, gradients and Laplacians. Each is made when asked for,
+/// and only if what it depends on has changed since. Those that the integration needs and whose sources keep still
+/// while rates are computed share their passes over the pairs.
+class MESOGEN_EXPORT DerivedFields {
+ public:
+  DerivedFields(World& world, const Catalogue& catalogue, const std::set<std::string>& for_integration,
+                const std::vector<std::set<std::string>>& for_readers);
+
+  [[nodiscard]] bool has(const std::string& field) const { return pass_of_.contains(field); }
+  /// Brings a derived field up to date.
+  void make(const std::string& field);
+
+  struct Counter {
+    std::string title;
+    std::int64_t runs = 0;
+    double seconds = 0.0;
+  };
+  [[nodiscard]] std::vector<Counter> counters() const;
+
+ private:
+  struct Component {
+    Field* source;
+    int index;
+    Field* gradient;   // may be null
+    Field* laplacian;  // may be null
+  };
+  struct PairPass {
+    std::vector<Component> components;
+    Field* correction = nullptr;
+    bool volume = false;
+    std::uint64_t positions = 0;         // version of the neighbourhood when last run
+    std::vector<std::uint64_t> sources;  // versions of the sources then
+    Counter counter;
+  };
+  using Wanted = std::map<std::string, std::pair<bool, bool>>;  // source -> gradient, Laplacian
+
+  void add_passes(const Wanted& wanted, bool correction);
+  [[nodiscard]] bool stale(const PairPass& pass) const;
+  void run(PairPass& pass);
+  template <class Real, int Dim>
+  void run_pair_sums(PairPass& pass);
+
+  World& world_;
+  std::vector<PairPass> passes_;
+  std::map<std::string, std::vector<std::size_t>> pass_of_;
+};
+
+}  // namespace mesogen

@@ -1,0 +1,133 @@
+#include "schedule/executor.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <set>
+
+#include "mesogen/diagnostics/error.hpp"
+#include "mesogen/plugin/context.hpp"
+
+namespace mesogen {
+
+namespace {
+
+bool contains(const std::vector<std::string>& list, std::string_view what) {
+  return std::find(list.begin(), list.end(), what) != list.end();
+}
+
+class WorkContext final : public PassContext {
+ public:
+  WorkContext(World& world, const Work& work) : world_(world), work_(work) {}
+
+  [[nodiscard]] bool has(std::string_view field) const override { return world_.fields.find(field) != nullptr; }
+  [[nodiscard]] const sph::SmoothingKernel& kernel() const override { return world_.kernel; }
+  [[nodiscard]] const Scene& scene() const override { return world_.scene; }
+  [[nodiscard]] exec::Space space() const override { return {}; }
+  [[nodiscard]] Index count() const override { return world_.particles.count(); }
+  [[nodiscard]] double time() const override { return world_.time; }
+  [[nodiscard]] double step_size() const override { return world_.step_size; }
+  [[nodiscard]] std::int64_t step() const override { return world_.step; }
+
+ protected:
+  [[nodiscard]] RawField readable(std::string_view field, std::size_t element_size) const override {
+    const Pass& pass = work_.pass;
+    if (!contains(pass.own_reads, field) && !contains(pass.neighbour_reads, field) &&
+        !contains(pass.optional_reads, field))
+      refuse("reads", field, "reads, reads_neighbours or reads_if_present");
+    return raw(field, element_size);
+  }
+  [[nodiscard]] RawField writable(std::string_view field, std::size_t element_size) const override {
+    if (!contains(work_.pass.write_list, field) && !contains(work_.pass.accumulate_list, field))
+      refuse("writes", field, "writes or accumulates");
+    return raw(field, element_size);
+  }
+  void fill_neighbours(void* grid, std::size_t element_size, int dimension) const override {
+    if (dimension != world_.scene.dimension || (element_size == sizeof(float)) != world_.single())
+      throw Error(ExitCode::plugin_refused,
+                  "'" + work_.title() + "' asks for neighbours of another precision or dimension");
+    const Neighbourhood& all = world_.neighbourhood;
+    if (dimension == 2 && world_.single()) all.fill(*static_cast<Neighbours<float, 2>*>(grid));
+    if (dimension == 2 && !world_.single()) all.fill(*static_cast<Neighbours<double, 2>*>(grid));
+    if (dimension == 3 && world_.single()) all.fill(*static_cast<Neighbours<float, 3>*>(grid));
+    if (dimension == 3 && !world_.single()) all.fill(*static_cast<Neighbours<double, 3>*>(grid));
+  }
+
+ private:
+  [[noreturn]] void refuse(const std::string& does, std::string_view field, const std::string& declarations) const {
+    throw Error(ExitCode::plugin_refused, "pass '" + work_.title() + "' " + does + " the field '" + std::string(field) +
+                                              "', which it did not declare: name it in the pass's " + declarations);
+  }
+  [[nodiscard]] RawField raw(std::string_view name, std::size_t element_size) const {
+    Field* const field = world_.fields.find(name);
+    if (field == nullptr)
+      throw Error(ExitCode::plugin_refused, "pass '" + work_.title() + "' asks for the field '" + std::string(name) +
+                                                "', which this scene has not: ask has() first");
+    if ((element_size == sizeof(float)) == field->is_double())
+      throw Error(ExitCode::plugin_refused,
+                  "pass '" + work_.title() + "' asks for the field '" + std::string(name) + "' in another precision");
+    if (field->is_double()) {
+      const auto view = field->view<double>();
+      return {view.base, view.stride};
+    }
+    const auto view = field->view<float>();
+    return {view.base, view.stride};
+  }
+
+  World& world_;
+  const Work& work_;
+};
+
+}  // namespace
+
+Executor::Executor(World& world, StepGraph& graph, DerivedFields& derived)
+    : world_(world), graph_(graph), derived_(derived) {}
+
+void Executor::run(Phase phase, const std::vector<bool>& reader_due) {
+  const auto& order = graph_.order(phase);
+  std::vector<std::size_t> due;
+  for (const std::size_t n : order) {
+    const Work& work = graph_.works()[n];
+    bool wanted = work.for_integration;
+    for (std::size_t r = 0; r < reader_due.size() && !wanted; ++r) wanted = reader_due[r] && work.for_observer[r];
+    if (wanted) due.push_back(n);
+  }
+  if (!due.empty()) world_.settle();
+  // What a pass of this phase writes, others add to; the rest starts from zero.
+  std::set<std::string_view> begun;
+  for (const std::size_t n : due)
+    for (const std::string& field : graph_.works()[n].pass.write_list) begun.insert(field);
+  for (const std::size_t n : due) {
+    Work& work = graph_.works()[n];
+    for (const std::string& field : work.pass.accumulate_list)
+      if (begun.insert(field).second) world_.fields.at(field).fill_zero();
+    run(work);
+  }
+}
+
+void Executor::run(Work& work) {
+  for (const std::string& field : work.pass.own_reads) prepare(field);
+  for (const std::string& field : work.pass.optional_reads)
+    if (world_.fields.find(field) != nullptr) prepare(field);
+  for (const std::string& field : work.pass.neighbour_reads) {
+    prepare(field);
+    world_.refresh_copies(world_.fields.at(field));
+  }
+  const auto start = std::chrono::steady_clock::now();
+  work.pass.body(WorkContext(world_, work));
+  for (const std::string& field : work.pass.write_list)
+    if (Field* const written = world_.fields.find(field)) ++written->version;
+  for (const std::string& field : work.pass.accumulate_list) ++world_.fields.at(field).version;
+  ++work.runs;
+  work.seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+void Executor::prepare(const std::string& field) {
+  if (derived_.has(field)) derived_.make(field);
+}
+
+void Executor::prepare(const std::vector<std::string>& fields) {
+  world_.settle();
+  for (const std::string& field : fields) prepare(field);
+}
+
+}  // namespace mesogen

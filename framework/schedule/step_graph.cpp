@@ -1,0 +1,181 @@
+#include "schedule/step_graph.hpp"
+
+#include <algorithm>
+
+#include "mesogen/diagnostics/error.hpp"
+#include "schedule/derived_name.hpp"
+
+namespace mesogen {
+
+namespace {
+
+bool contains(const std::vector<std::string>& list, const std::string& what) {
+  return std::find(list.begin(), list.end(), what) != list.end();
+}
+
+// The field whose value a derived field follows; itself for a plain one. Empty for what depends on positions alone.
+std::string root(const Catalogue& catalogue, const std::string& field) {
+  if (catalogue.find(field) != nullptr) return field;
+  const DerivedName derived = derived_name(field);
+  return derived.source.empty() ? std::string() : root(catalogue, derived.source);
+}
+
+}  // namespace
+
+struct StepGraph::Need {
+  std::set<std::string> seen;
+  std::set<std::string>* derived;
+  std::vector<std::string> chain;
+  std::size_t reader;  // whose need it is, if not the integration's
+  bool integration;
+};
+
+StepGraph::StepGraph(const Catalogue& catalogue, const std::vector<Member>& members, const std::vector<Reader>& readers)
+    : catalogue_(catalogue), readers_(readers) {
+  for (const Member& member : members) {
+    for (const Pass& pass : member.passes->passes()) {
+      Work work;
+      work.owner = member.instance;
+      work.pass = pass;
+      work.for_observer.assign(readers.size(), false);
+      works_.push_back(std::move(work));
+    }
+    if (member.passes->velocity().empty()) continue;
+    if (!velocity_.empty())
+      throw Error(ExitCode::bad_case,
+                  "two physics plugins move the particles, the second is " + member.instance + ": a case has one flow");
+    velocity_ = member.passes->velocity();
+    shift_ = member.passes->shift();
+  }
+  check_writers();
+  const auto added_to = [&](const std::string& field) {
+    return std::any_of(works_.begin(), works_.end(), [&](const Work& work) { return makes(work, field); });
+  };
+  if (!shift_.empty() && !added_to(shift_)) shift_.clear();
+
+  Need integration{{}, &derived_for_integration_, {}, 0, true};
+  for (const auto& [name, entry] : catalogue_.all())
+    if (entry.declaration.advance != Advance::never)
+      follow(entry.declaration.rate, "the time integration", integration);
+  if (!velocity_.empty()) follow(velocity_, "the time integration", integration);
+  if (!shift_.empty()) follow(shift_, "the time integration", integration);
+
+  derived_for_reader_.resize(readers_.size());
+  for (std::size_t n = 0; n < readers_.size(); ++n) {
+    Need need{{}, &derived_for_reader_[n], {}, n, false};
+    for (const std::string& field : readers_[n].fields) follow(field, readers_[n].name, need);
+  }
+  for (const Phase phase : {Phase::begin, Phase::rates, Phase::end}) order_phase(phase);
+}
+
+bool StepGraph::makes(const Work& work, const std::string& field) const {
+  return contains(work.pass.write_list, field) || contains(work.pass.accumulate_list, field);
+}
+
+void StepGraph::check_writers() const {
+  std::map<std::pair<Phase, std::string>, const Work*> writer;
+  for (const Work& work : works_) {
+    for (const std::string& field : work.pass.write_list) {
+      const auto [at, first] = writer.emplace(std::pair{work.pass.phase, field}, &work);
+      if (!first)
+        throw Error(ExitCode::bad_case, "field '" + field + "' has two writers: '" + at->second->title() + "' and '" +
+                                            work.title() +
+                                            "'. Remove one of them from the case, or let both accumulate");
+    }
+  }
+}
+
+// Marks everything that must run so that `field` has a value.
+void StepGraph::follow(const std::string& field, const std::string& wanted_by, Need& need) {
+  if (!need.seen.insert(field).second) return;
+  need.chain.push_back("'" + field + "', wanted by " + wanted_by);
+  if (catalogue_.find(field) == nullptr) {
+    const DerivedName derived = derived_name(field);
+    if (derived.kind != DerivedName::Kind::none) {
+      if (!derived.source.empty()) follow(derived.source, "'" + field + "'", need);
+      need.derived->insert(field);
+      need.chain.pop_back();
+      return;
+    }
+  }
+  bool made = catalogue_.is_state(field);
+  if (!made) {
+    for (Work& work : works_) {
+      if (!makes(work, field)) continue;
+      made = true;
+      if (need.integration) {
+        work.for_integration = true;
+      } else {
+        work.for_observer[need.reader] = true;
+      }
+      for (const std::string& source : sources(work)) follow(source, "'" + work.title() + "'", need);
+    }
+  }
+  if (!made) {
+    std::string chain;
+    for (auto link = need.chain.rbegin(); link != need.chain.rend(); ++link) chain += "\n  " + *link;
+    throw Error(ExitCode::bad_case,
+                "nobody in this case provides the field" + chain +
+                    "\nAdd a physics plugin that writes it (`mesogen plugin list`), or remove what wants it");
+  }
+  need.chain.pop_back();
+}
+
+std::vector<std::string> StepGraph::sources(const Work& work) const {
+  std::vector<std::string> all = work.pass.own_reads;
+  all.insert(all.end(), work.pass.neighbour_reads.begin(), work.pass.neighbour_reads.end());
+  for (const std::string& field : work.pass.optional_reads)
+    if (catalogue_.exists(field)) all.push_back(field);
+  return all;
+}
+
+void StepGraph::order_phase(Phase phase) {
+  std::vector<std::size_t> members;
+  for (std::size_t n = 0; n < works_.size(); ++n)
+    if (works_[n].pass.phase == phase && !works_[n].pruned()) members.push_back(n);
+
+  // before[a] holds what must run before a, and through which field.
+  std::map<std::size_t, std::map<std::size_t, std::string>> before;
+  for (const std::size_t a : members) {
+    for (const std::size_t b : members) {
+      if (a == b) continue;
+      for (const std::string& field : works_[b].pass.write_list)
+        if (contains(works_[a].pass.accumulate_list, field)) before[a].emplace(b, field);
+      for (const std::string& field : works_[b].pass.accumulate_list)
+        if (b < a && contains(works_[a].pass.accumulate_list, field)) before[a].emplace(b, field);
+      for (const std::string& wanted : sources(works_[a])) {
+        const std::string field = root(catalogue_, wanted);
+        if (!catalogue_.is_state(field) && makes(works_[b], field)) before[a].emplace(b, field);
+      }
+    }
+  }
+  auto& order = order_[static_cast<std::size_t>(phase)];
+  std::set<std::size_t> done;
+  while (order.size() < members.size()) {
+    const auto ready = std::find_if(members.begin(), members.end(), [&](std::size_t a) {
+      return !done.contains(a) && std::all_of(before[a].begin(), before[a].end(),
+                                              [&](const auto& edge) { return done.contains(edge.first); });
+    });
+    if (ready == members.end()) {
+      // Follow unmet needs until one comes up again: that is the cycle.
+      std::size_t at = *std::find_if(members.begin(), members.end(), [&](std::size_t a) { return !done.contains(a); });
+      std::vector<std::size_t> path;
+      while (std::find(path.begin(), path.end(), at) == path.end()) {
+        path.push_back(at);
+        at = std::find_if(before[at].begin(), before[at].end(), [&](const auto& edge) {
+               return !done.contains(edge.first);
+             })->first;
+      }
+      path.erase(path.begin(), std::find(path.begin(), path.end(), at));
+      std::string text = "these passes wait for each other:";
+      for (std::size_t n = 0; n < path.size(); ++n)
+        text += "\n  '" + works_[path[n]].title() + "' needs '" + before[path[n]][path[(n + 1) % path.size()]] +
+                "' of '" + works_[path[(n + 1) % path.size()]].title() + "'";
+      throw Error(ExitCode::bad_case, text + "\nRemove one of the plugins from the case");
+    }
+    done.insert(*ready);
+    order.push_back(*ready);
+  }
+}
+
+}  // namespace mesogen

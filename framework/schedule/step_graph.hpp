@@ -1,0 +1,70 @@
+#pragma once
+
+#include <array>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "mesogen/export.hpp"
+#include "schedule/catalogue.hpp"
+#include "schedule/work.hpp"
+
+namespace mesogen {
+
+/// Somebody who reads fields from outside the step: an observer, or the output.
+struct Reader {
+  std::string name;                 ///< "observers.flow", "output"
+  std::vector<std::string> fields;  ///< must exist
+};
+
+/// The work of a step, ordered from what each pass reads and writes; what nobody needs is pruned.
+///
+/// In a phase: one writer a field; then those who add to it, in the order of the case; then those who read it. The
+/// order is the first topological one, so it is the same every time. Fields that the framework derives (gradients, ...)
+/// are made when a pass that reads them comes up.
+class MESOGEN_EXPORT StepGraph {
+ public:
+  struct Member {
+    std::string instance;  ///< "physics.flow"
+    const PassList* passes;
+  };
+
+  /// Throws an Error that names the chain: two writers, a field that nobody provides, a cycle.
+  StepGraph(const Catalogue& catalogue, const std::vector<Member>& members, const std::vector<Reader>& readers);
+
+  [[nodiscard]] std::vector<Work>& works() { return works_; }
+  [[nodiscard]] const std::vector<Work>& works() const { return works_; }
+  /// Indices into works(), in the order in which they run.
+  [[nodiscard]] const std::vector<std::size_t>& order(Phase phase) const {
+    return order_[static_cast<std::size_t>(phase)];
+  }
+  /// Derived fields that the integration needs; those of reader n.
+  [[nodiscard]] const std::set<std::string>& derived_for_integration() const { return derived_for_integration_; }
+  [[nodiscard]] const std::set<std::string>& derived_for_reader(std::size_t n) const { return derived_for_reader_[n]; }
+  [[nodiscard]] const std::string& velocity() const { return velocity_; }
+  /// Field that moves particles beside their velocity; empty if nobody adds to it.
+  [[nodiscard]] const std::string& shift() const { return shift_; }
+
+  [[nodiscard]] std::string text() const;
+  [[nodiscard]] std::string graphviz() const;
+
+ private:
+  struct Need;
+  void check_writers() const;
+  void follow(const std::string& field, const std::string& wanted_by, Need& need);
+  void order_phase(Phase phase);
+  [[nodiscard]] bool makes(const Work& work, const std::string& field) const;
+  [[nodiscard]] std::vector<std::string> sources(const Work& work) const;
+
+  const Catalogue& catalogue_;
+  std::vector<Reader> readers_;
+  std::vector<Work> works_;
+  std::array<std::vector<std::size_t>, 3> order_;
+  std::set<std::string> derived_for_integration_;
+  std::vector<std::set<std::string>> derived_for_reader_;
+  std::string velocity_;
+  std::string shift_;
+};
+
+}  // namespace mesogen

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "mesogen/plugin/passes.hpp"
+
+namespace mesogen {
+
+/// A plugin's pass as the scheduler sees it.
+struct Work {
+  std::string owner;  ///< instance in the case: "physics.flow"
+  Pass pass;
+  bool for_integration = false;    ///< needed to advance the run
+  std::vector<bool> for_observer;  ///< needed by the n-th reader (observers, then output)
+  std::int64_t runs = 0;
+  double seconds = 0.0;
+
+  [[nodiscard]] bool pruned() const {
+    if (for_integration) return false;
+    for (const bool needed : for_observer)
+      if (needed) return false;
+    return true;
+  }
+  [[nodiscard]] std::string title() const { return owner + ": " + pass.name; }
+};
+
+}  // namespace mesogen

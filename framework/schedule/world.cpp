@@ -1,0 +1,52 @@
+#include "schedule/world.hpp"
+
+namespace mesogen {
+
+World::World(Scene scene_of_run, sph::SmoothingKernel kernel_of_run, const Boundary& boundary_of_run, Particles all)
+    : scene(std::move(scene_of_run)),
+      kernel(std::move(kernel_of_run)),
+      boundary(boundary_of_run),
+      particles(std::move(all)),
+      neighbourhood(scene, boundary) {}
+
+Field& World::add_field(const std::string& name, int components, bool integrated) {
+  Field& field = fields.add(std::make_unique<Field>(name, components, scene.precision, integrated));
+  field.resize(particles.count(), neighbourhood.copy_count());
+  return field;
+}
+
+void World::resize_fields() {
+  for (const auto& [name, field] : fields.all()) field->resize(particles.count(), neighbourhood.copy_count());
+}
+
+void World::settle() {
+  if (!moved_) return;
+  moved_ = false;
+  const std::vector<Index>* order = neighbourhood.update(particles);
+  if (order == nullptr) return;
+  resize_fields();
+  for (const auto& [name, field] : fields.all()) {
+    field->permute(*order);
+    field->refreshed = 0;
+  }
+}
+
+void World::restore_order(std::array<std::vector<double>, 3> sorted_position) {
+  moved_ = true;
+  neighbourhood.restore(particles, std::move(sorted_position));
+  resize_fields();
+  for (const auto& [name, field] : fields.all()) field->refreshed = 0;
+}
+
+void World::refresh_copies(Field& field) const {
+  if (field.refreshed == field.version) return;
+  field.refreshed = field.version;
+  if (neighbourhood.copy_count() == 0) return;
+  if (single()) {
+    boundary.refresh(neighbourhood.copies(), field.view<float>(), field.components(), particles.count());
+  } else {
+    boundary.refresh(neighbourhood.copies(), field.view<double>(), field.components(), particles.count());
+  }
+}
+
+}  // namespace mesogen

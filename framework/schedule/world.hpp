@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cstdint>
+
+#include "domain/neighbourhood.hpp"
+#include "domain/particles.hpp"
+#include "field/field.hpp"
+#include "mesogen/export.hpp"
+#include "mesogen/plugin/boundary.hpp"
+#include "mesogen/plugin/scene.hpp"
+#include "mesogen/sph/kernel_function.hpp"
+
+namespace mesogen {
+
+/// The state of a run: where the particles are, what they carry, and when it is.
+class MESOGEN_EXPORT World {
+ public:
+  World(Scene scene, sph::SmoothingKernel kernel, const Boundary& boundary, Particles particles);
+  World(const World&) = delete;
+  World& operator=(const World&) = delete;
+
+  const Scene scene;
+  const sph::SmoothingKernel kernel;
+  const Boundary& boundary;
+  Particles particles;
+  Neighbourhood neighbourhood;
+  FieldStore fields;
+  double time = 0.0;       ///< s
+  double step_size = 0.0;  ///< s; 0 when rates are evaluated without a step
+  std::int64_t step = 0;   ///< steps done
+
+  [[nodiscard]] bool single() const { return scene.precision == Precision::single_precision; }
+
+  Field& add_field(const std::string& name, int components, bool integrated);
+  /// To be called whenever positions changed.
+  void mark_moved() { moved_ = true; }
+  /// Brings neighbours up to date with the positions: sorts, if need be, and every field into the new order.
+  void settle();
+  /// Sorts as a checkpoint says; see Neighbourhood::restore.
+  void restore_order(std::array<std::vector<double>, 3> sorted_position);
+  /// Brings the boundary copies of a field up to date, if they are not.
+  void refresh_copies(Field& field) const;
+
+ private:
+  void resize_fields();
+  bool moved_ = true;
+};
+
+}  // namespace mesogen

@@ -1,0 +1,155 @@
+#include "simulation/observation.hpp"
+
+#include <cmath>
+#include <limits>
+
+namespace mesogen {
+
+namespace {
+
+class WorldView final : public ObserverContext {
+ public:
+  WorldView(World& world, const Setup::ObserverMember& observer) : world_(world), observer_(observer) {}
+
+  [[nodiscard]] std::vector<double> values(std::string_view name, int component) const override {
+    const auto& declared = observer_.fields;
+    if (std::find(declared.begin(), declared.end(), name) == declared.end())
+      throw Error(ExitCode::plugin_refused, "observer '" + observer_.instance + "' reads the field '" +
+                                                std::string(name) + "', which it did not declare: name it in plan()");
+    const Field& field = world_.fields.at(name);
+    std::vector<double> all(world_.particles.id.size());
+#pragma omp parallel for schedule(static)
+    for (Index i = 0; i < world_.particles.count(); ++i) all[static_cast<std::size_t>(i)] = field.value(component, i);
+    return all;
+  }
+  [[nodiscard]] bool has(std::string_view field) const override { return world_.fields.find(field) != nullptr; }
+  [[nodiscard]] std::vector<double> position(int axis) const override {
+    std::vector<double> all(world_.particles.id.size());
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      std::array<double, 3> at{};
+      std::array<std::int32_t, 3> images{};
+      for (int d = 0; d < world_.scene.dimension; ++d) at[d] = world_.particles.position[d][i];
+      world_.boundary.keep_inside(world_.scene, at.data(), images.data());
+      all[i] = at[axis];
+    }
+    return all;
+  }
+  [[nodiscard]] std::vector<double> unwrapped(int axis) const override {
+    std::vector<double> all = world_.particles.position[axis];
+    for (std::size_t i = 0; i < all.size(); ++i) all[i] += world_.particles.images[axis][i] * world_.scene.box[axis];
+    return all;
+  }
+  [[nodiscard]] const std::vector<std::int64_t>& id() const override { return world_.particles.id; }
+  [[nodiscard]] const Scene& scene() const override { return world_.scene; }
+  [[nodiscard]] const sph::SmoothingKernel& kernel() const override { return world_.kernel; }
+  [[nodiscard]] double constant(std::string_view name) const override {
+    const auto at = world_.scene.constants.find(name);
+    return at == world_.scene.constants.end() ? std::numeric_limits<double>::quiet_NaN() : at->second;
+  }
+  [[nodiscard]] double time() const override { return world_.time; }
+  [[nodiscard]] std::int64_t step() const override { return world_.step; }
+
+ private:
+  World& world_;
+  const Setup::ObserverMember& observer_;
+};
+
+}  // namespace
+
+bool Timing::due(double from, double to, std::int64_t steps) const {
+  if (every && steps % *every == 0) return true;
+  if (!interval) return false;
+  // A step that falls short of the mark by rounding has reached it.
+  const auto marks = [this](double time) { return std::floor(time / *interval + 1e-9); };
+  return marks(to) > marks(from);
+}
+
+Observation::Observation(Stepper& stepper) : stepper_(stepper) {
+  for (const auto& member : stepper.setup().observers)
+    timings_.push_back({member.timing.interval, member.timing.every});
+  timings_.push_back({stepper.setup().source.output.interval, {}});
+}
+
+void Observation::declare(ResultsWriter& results) const {
+  for (const auto& member : stepper_.setup().observers)
+    for (const Quantity& quantity : member.plan.quantities()) results.declare_observable(member.instance, quantity);
+}
+
+void Observation::start() {
+  for (const auto& member : stepper_.setup().observers) {
+    stepper_.executor().prepare(member.fields);
+    member.plugin->start(WorldView(stepper_.world(), member));
+  }
+}
+
+std::vector<bool> Observation::due(double from, double to, std::int64_t steps, bool last) const {
+  std::vector<bool> due;
+  for (const Timing& timing : timings_) due.push_back(last || timing.due(from, to, steps));
+  return due;
+}
+
+void Observation::observe(const std::vector<bool>& due, ResultsWriter& results) {
+  World& world = stepper_.world();
+  const auto& members = stepper_.setup().observers;
+  for (std::size_t n = 0; n < members.size(); ++n) {
+    const auto& member = members[n];
+    const WorldView view(world, member);
+    if (member.plan.follows() && world.step > 0) member.plugin->follow(view);
+    if (!due[n]) continue;
+    stepper_.executor().prepare(member.fields);
+    Sample sample;
+    member.plugin->sample(view, sample);
+    results.add_sample(member.instance, sample, world.step, world.time);
+  }
+  if (due.back()) {
+    stepper_.executor().prepare(stepper_.setup().output_fields);
+    results.add_frame(frame(), world.step, world.time);
+  }
+}
+
+std::vector<FrameField> Observation::frame() {
+  const World& world = stepper_.world();
+  const Setup& setup = stepper_.setup();
+  const std::size_t count = world.particles.id.size();
+  const int dimension = world.scene.dimension;
+  std::vector<FrameField> fields;
+  FrameField position{"position", "m", dimension, std::vector<double>(count * static_cast<std::size_t>(dimension)),
+                      false};
+  for (std::size_t i = 0; i < count; ++i) {
+    std::array<double, 3> at{};
+    std::array<std::int32_t, 3> images{};
+    for (int d = 0; d < dimension; ++d) at[d] = world.particles.position[d][i];
+    world.boundary.keep_inside(world.scene, at.data(), images.data());
+    const auto row = static_cast<std::size_t>(world.particles.id[i] * dimension);
+    for (int d = 0; d < dimension; ++d) position.values[row + static_cast<std::size_t>(d)] = at[d];
+  }
+  fields.push_back(std::move(position));
+  for (const std::string& name : setup.output_fields) {
+    const Field& field = world.fields.at(name);
+    const int components = field.components();
+    FrameField stored{name, setup.catalogue.unit(name), components,
+                      std::vector<double>(count * static_cast<std::size_t>(components)), world.single()};
+    for (int c = 0; c < components; ++c)
+      for (std::size_t i = 0; i < count; ++i)
+        stored.values[static_cast<std::size_t>(world.particles.id[i] * components + c)] =
+            field.value(c, static_cast<Index>(i));
+    fields.push_back(std::move(stored));
+  }
+  return fields;
+}
+
+void Observation::save(Checkpoint& checkpoint) const {
+  for (const auto& member : stepper_.setup().observers) checkpoint.observers[member.instance] = member.plugin->save();
+}
+
+void Observation::restore(const Checkpoint& checkpoint) {
+  for (const auto& member : stepper_.setup().observers) {
+    const auto at = checkpoint.observers.find(member.instance);
+    if (at == checkpoint.observers.end())
+      throw Error(ExitCode::bad_case,
+                  "the checkpoint knows no observer '" + member.instance + "': it belongs to another case");
+    member.plugin->restore(at->second);
+  }
+}
+
+}  // namespace mesogen

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <vector>
+
+#include "mesogen/export.hpp"
+#include "output/checkpoint.hpp"
+#include "output/frame.hpp"
+#include "output/results.hpp"
+#include "simulation/stepper.hpp"
+
+namespace mesogen {
+
+/// When something that happens by simulated time or by steps is due. Without memory: a resumed run does the same.
+struct MESOGEN_EXPORT Timing {
+  std::optional<double> interval;     ///< s
+  std::optional<std::int64_t> every;  ///< steps
+
+  /// Does the step from `from` to `to` (s), the one that makes `steps` of them, reach it?
+  [[nodiscard]] bool due(double from, double to, std::int64_t steps) const;
+};
+
+/// The observers and frames of a run, and where their results go.
+class MESOGEN_EXPORT Observation {
+ public:
+  explicit Observation(Stepper& stepper);
+
+  /// Names all quantities to the results.
+  void declare(ResultsWriter& results) const;
+  /// Before the first sample of a new run.
+  void start();
+  /// Which readers (the observers, then the output) read at the end of the step from `from` to `to`; all if it is the
+  /// last one.
+  [[nodiscard]] std::vector<bool> due(double from, double to, std::int64_t steps, bool last) const;
+  /// After a step: observers that follow, and those that are due, and a frame if it is due.
+  void observe(const std::vector<bool>& due, ResultsWriter& results);
+
+  void save(Checkpoint& checkpoint) const;
+  void restore(const Checkpoint& checkpoint);
+
+ private:
+  [[nodiscard]] std::vector<FrameField> frame();
+
+  Stepper& stepper_;
+  std::vector<Timing> timings_;
+};
+
+}  // namespace mesogen

@@ -1,0 +1,173 @@
+#include "simulation/run.hpp"
+
+#include <omp.h>
+
+#include <chrono>
+
+#include <fmt/format.h>
+
+#include "output/run_folder.hpp"
+#include "simulation/number_text.hpp"
+#include "simulation/observation.hpp"
+#include "simulation/stepper.hpp"
+
+namespace mesogen {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point from) { return std::chrono::duration<double>(Clock::now() - from).count(); }
+
+/// A run in progress: steps, observations, frames and checkpoints until the end or the signal to stop.
+class Run {
+ public:
+  Run(Setup& setup, const RunOptions& options, Log& log, Progress& progress)
+      : setup_(setup), options_(options), log_(log), progress_(progress), stepper_(setup), observation_(stepper_) {
+    log_.open_file(options.folder / "run.log");
+  }
+
+  ExitCode begin() {
+    ResultsWriter results = ResultsWriter::create(results_options());
+    observation_.declare(results);
+    stepper_.start();
+    observation_.start();
+    observation_.observe(std::vector<bool>(setup_.observers.size() + 1, true), results);
+    log_.info(fmt::format("{} particles, {} threads, {}, first step {} s (limit: {})", setup_.scene.particle_count,
+                          omp_get_max_threads(), precision(), number_text(stepper_.next_step(end()).seconds),
+                          stepper_.next_step(end()).limit));
+    return go_on(results);
+  }
+
+  ExitCode resume(const Checkpoint& checkpoint) {
+    stepper_.restore(checkpoint);
+    observation_.restore(checkpoint);
+    ResultsWriter results = ResultsWriter::resume(results_options(), checkpoint.step);
+    observation_.declare(results);
+    return go_on(results);
+  }
+
+ private:
+  [[nodiscard]] double end() const { return setup_.source.time.end; }
+  [[nodiscard]] std::string precision() const {
+    return setup_.scene.precision == Precision::single_precision ? "single precision" : "double precision";
+  }
+  [[nodiscard]] bool stopped() const { return options_.stop != nullptr && options_.stop->load(); }
+
+  [[nodiscard]] ResultsOptions results_options() const {
+    ResultsOptions o;
+    o.folder = options_.folder;
+    o.box = setup_.scene.box;
+    o.dimension = setup_.scene.dimension;
+    o.periodic.assign(static_cast<std::size_t>(o.dimension), true);
+    o.case_text = setup_.resolved_text;
+    o.version = MESOGEN_VERSION;
+    o.build = MESOGEN_BUILD_TAG;
+    o.seed = setup_.source.particles.seed;
+    o.count = setup_.scene.particle_count;
+    return o;
+  }
+
+  void write_checkpoint(ResultsWriter& results) {
+    results.flush();
+    Checkpoint checkpoint;
+    checkpoint.case_text = setup_.resolved_text;
+    checkpoint.version = MESOGEN_VERSION;
+    stepper_.save(checkpoint);
+    observation_.save(checkpoint);
+    mesogen::write_checkpoint(options_.folder, checkpoint);
+  }
+
+  ExitCode go_on(ResultsWriter& results) {
+    const World& world = stepper_.world();
+    write_checkpoint(results);
+    const auto begun = Clock::now();
+    auto saved = begun;
+    const std::int64_t first = world.step;
+    progress_.start(world.time, world.step, end());
+    try {
+      while (world.time < end() && !stopped()) {
+        const auto [step_size, limit] = stepper_.next_step(end());
+        const double from = world.time;
+        const bool last = from + step_size >= end();
+        const auto due = observation_.due(from, from + step_size, world.step + 1, last);
+        stepper_.advance(step_size, due);
+        observation_.observe(due, results);
+        progress_.update(world.time, world.step);
+        if (seconds_since(saved) >= setup_.source.output.checkpoint_interval) {
+          write_checkpoint(results);
+          saved = Clock::now();
+        }
+      }
+    } catch (...) {
+      progress_.finish(world.time, world.step);
+      results.flush();
+      throw;
+    }
+    progress_.finish(world.time, world.step);
+    write_checkpoint(results);
+    if (world.time < end()) {
+      log_.warn(fmt::format("interrupted at t = {} s; `mesogen resume {}` continues", number_text(world.time),
+                            options_.folder.string()));
+      return ExitCode::interrupted;
+    }
+    results.finish();
+    report(world.step - first, seconds_since(begun));
+    return ExitCode::done;
+  }
+
+  void report(std::int64_t steps, double seconds) {
+    if (steps == 0) return;
+    log_.info(fmt::format("{} steps in {:.1f} s: {:.3f} ms a step, {:.3g} particle-steps/s; neighbours sorted {} times",
+                          steps, seconds, 1e3 * seconds / static_cast<double>(steps),
+                          static_cast<double>(steps) * setup_.scene.particle_count / seconds,
+                          stepper_.world().neighbourhood.sortings()));
+    if (!options_.profile) return;
+    for (const auto& share : stepper_.shares())
+      log_.info(fmt::format("{:6.2f} %  {:9.3f} ms a step  {:8} runs  {}", 100.0 * share.seconds / seconds,
+                            1e3 * share.seconds / static_cast<double>(steps), share.runs, share.work));
+  }
+
+  Setup& setup_;
+  const RunOptions& options_;
+  Log& log_;
+  Progress& progress_;
+  Stepper stepper_;
+  Observation observation_;
+};
+
+}  // namespace
+
+ExitCode run_case(Case source, const PluginRegistry& registry, const RunOptions& options, Log& log,
+                  Progress& progress) {
+  Problems problems;
+  const auto setup = set_up(std::move(source), registry, problems);
+  const RunLock lock = start_run_folder(options.folder, setup->resolved_text, options.overwrite);
+  return Run(*setup, options, log, progress).begin();
+}
+
+ExitCode resume_run(const PluginRegistry& registry, const RunOptions& options, Log& log, Progress& progress) {
+  const std::string text = stored_case(options.folder);
+  const RunLock lock(options.folder);
+  Problems problems;
+  Case source = read_case_text(text, (options.folder / "case.toml").string(), {}, problems);
+  const auto setup = set_up(std::move(source), registry, problems);
+  if (!has_checkpoint(options.folder)) {
+    log.info("no checkpoint was written yet: starting again from the beginning");
+    return Run(*setup, options, log, progress).begin();
+  }
+  std::string which;
+  std::vector<std::string> refused;
+  const Checkpoint checkpoint =
+      read_newest_checkpoint(options.folder, &which, &refused, [&](const Checkpoint& read) -> std::string {
+        if (read.version != MESOGEN_VERSION)
+          return "it was written by version " + read.version + ", this is " MESOGEN_VERSION;
+        if (read.case_text != setup->resolved_text) return "it belongs to another case than case.toml";
+        return {};
+      });
+  for (const std::string& reason : refused) log.warn(reason);
+  log.info(fmt::format("resuming from {} at t = {} s, step {}", which, number_text(checkpoint.time), checkpoint.step));
+  return Run(*setup, options, log, progress).resume(checkpoint);
+}
+
+}  // namespace mesogen

@@ -1,0 +1,213 @@
+#include "simulation/setup.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "case/nearest.hpp"
+#include "case/resolved.hpp"
+#include "initial/fields.hpp"
+#include "simulation/number_text.hpp"
+
+namespace mesogen {
+
+namespace {
+
+/// One case being set up: the steps in order, each leaving its problems.
+class SetupBuilder {
+ public:
+  SetupBuilder(Setup& setup, const PluginRegistry& registry, Problems& problems)
+      : setup_(setup), source_(setup.source), registry_(registry), problems_(problems), resolved_(setup.source) {}
+
+  void make_plugins();
+  void choose_kernel();
+  void finish_if(bool usable);
+  [[nodiscard]] bool refused() const { return refused_; }
+
+ private:
+  template <class Make>
+  auto make(const PluginChoice& choice, Make&& made) -> decltype(made(choice.type));
+  void read(const PluginChoice& choice, const ParameterList& list);
+  void describe_scene();
+  void collect_fields();
+  void choose_output();
+  void plan_observers();
+
+  Setup& setup_;
+  const Case& source_;
+  const PluginRegistry& registry_;
+  Problems& problems_;
+  ResolvedCase resolved_;
+  bool refused_ = false;
+};
+
+template <class Make>
+auto SetupBuilder::make(const PluginChoice& choice, Make&& made) -> decltype(made(choice.type)) {
+  if (choice.type.empty()) return nullptr;
+  try {
+    return made(choice.type);
+  } catch (const Error& error) {
+    refused_ = refused_ || error.code() == ExitCode::plugin_refused;
+    problems_.add(choice.type_place, choice.type_key, error.what());
+    return nullptr;
+  }
+}
+
+void SetupBuilder::read(const PluginChoice& choice, const ParameterList& list) {
+  choice.read(list, problems_);
+  resolved_.add(choice.section, list);
+}
+
+void SetupBuilder::make_plugins() {
+  const auto simple = [&](const PluginChoice& choice, auto& plugin) {
+    if (!plugin) return;
+    ParameterList list;
+    plugin->parameters(list);
+    read(choice, list);
+  };
+  setup_.boundary = make(source_.boundary, [&](const std::string& type) { return registry_.make_boundary(type); });
+  simple(source_.boundary, setup_.boundary);
+  setup_.kernel = make(source_.kernel, [&](const std::string& type) { return registry_.make_kernel(type); });
+  simple(source_.kernel, setup_.kernel);
+  for (const PluginChoice& choice : source_.physics) {
+    auto plugin =
+        make(choice, [&](const std::string& type) { return registry_.make_physics(type, source_.run.precision, 2); });
+    simple(choice, plugin);
+    if (plugin) setup_.physics.push_back({"physics." + choice.instance, std::move(plugin), {}});
+  }
+  for (std::size_t n = 0; n < source_.observers.size(); ++n) {
+    const PluginChoice& choice = source_.observers[n];
+    auto plugin = make(choice, [&](const std::string& type) { return registry_.make_observer(type); });
+    simple(choice, plugin);
+    if (plugin) setup_.observers.push_back({choice.instance, std::move(plugin), {}, source_.timings[n], {}});
+  }
+}
+
+void SetupBuilder::choose_kernel() {
+  if (!setup_.kernel || !(source_.particles.spacing > 0.0) || !(source_.smoothing_length_ratio > 0.0)) return;
+  setup_.smoothing.shape = setup_.kernel->shape();
+  if (const std::string problem = setup_.smoothing.shape.problem(); !problem.empty()) {
+    problems_.add(source_.kernel.type_place, source_.kernel.type_key, "this kernel cannot be used: " + problem);
+    return;
+  }
+  const double h = source_.smoothing_length_ratio * source_.particles.spacing;
+  setup_.smoothing.smoothing_length = h;
+  setup_.smoothing.scale = setup_.smoothing.shape.normalisation(2) / (h * h);
+  if (source_.domain.size.size() != 2) return;
+  const double shortest = std::min(source_.domain.size[0], source_.domain.size[1]);
+  const double support = setup_.smoothing.radius();
+  if (support > shortest / 2.0) {
+    const double most = shortest / 2.0 / setup_.smoothing.shape.support() / source_.particles.spacing;
+    problems_.add(source_.place("kernel.smoothing_length"), "kernel.smoothing_length",
+                  "the kernel's support of " + number_text(support) + " m is larger than half the box (" +
+                      number_text(shortest / 2.0) + " m), so a particle would meet its own image; at most " +
+                      number_text(std::floor(most * 100.0) / 100.0) +
+                      " particle spacings here, or take a smaller particles.spacing");
+  }
+}
+
+void SetupBuilder::describe_scene() {
+  Scene& scene = setup_.scene;
+  setup_.arrangement = arrange(source_);
+  scene.dimension = 2;
+  scene.precision = source_.run.precision;
+  scene.box = {source_.domain.size[0], source_.domain.size[1], 0.0};
+  scene.spacing = source_.particles.spacing;
+  scene.smoothing_length = setup_.smoothing.smoothing_length;
+  scene.support = setup_.smoothing.radius();
+  scene.particle_count = setup_.arrangement.count;
+  for (const auto& member : setup_.physics) {
+    member.plugin->scales(scene.scales);
+    member.plugin->constants(scene.constants);
+  }
+  if (source_.velocity.given) {
+    const auto velocity = initial_velocity(source_, setup_.arrangement);
+    for (std::size_t i = 0; i < velocity[0].size(); ++i)
+      scene.scales.speed = std::max(scene.scales.speed, std::hypot(velocity[0][i], velocity[1][i]));
+  }
+  for (auto& member : setup_.physics) {
+    member.plugin->prepare(scene);
+    member.plugin->passes(member.passes);
+    member.plugin->step_limits(scene, setup_.limits);
+  }
+}
+
+void SetupBuilder::collect_fields() {
+  for (const auto& member : setup_.physics)
+    for (const FieldDeclaration& field : member.passes.fields()) setup_.catalogue.add(field, member.instance);
+  const auto initial = [&](const std::string& name, Rank rank, const std::string& unit, const std::string& owner) {
+    FieldDeclaration field;
+    field.name = name;
+    field.rank = rank;
+    field.unit_text = unit;
+    field.doc_text = "as the initial conditions set it";
+    setup_.catalogue.add_initial(field, owner);
+  };
+  if (source_.director.given) initial("order_tensor", Rank::order_tensor, "1", "director");
+  if (source_.velocity.given) initial("velocity", Rank::vector, "m/s", "velocity");
+  if (source_.colour.given) initial("colour", Rank::scalar, "1", "colour");
+  if (setup_.catalogue.exists("order_tensor") && !source_.director.given)
+    problems_.add({source_.file, 0, 0}, "director",
+                  "this scene has an order tensor: say how it starts, such as [director] with type = \"perturbed\"");
+}
+
+void SetupBuilder::choose_output() {
+  for (const std::string& field : source_.output.fields) {
+    if (field == "position") continue;
+    if (setup_.catalogue.exists(field)) {
+      setup_.output_fields.push_back(field);
+    } else if (source_.output.fields_given) {
+      std::string text = "there is no field '" + field + "' in this scene";
+      if (const std::string near = nearest(field, setup_.catalogue.names()); !near.empty())
+        text += "; did you mean '" + near + "'?";
+      std::string all;
+      for (const std::string& name : setup_.catalogue.names()) all += (all.empty() ? "" : ", ") + name;
+      problems_.add(source_.place("output.fields"), "output.fields", text + " There are: position, " + all);
+    }
+  }
+  resolved_.set_output_fields(setup_.output_fields);
+}
+
+void SetupBuilder::plan_observers() {
+  for (auto& member : setup_.observers) {
+    member.plugin->plan(setup_.scene, member.plan);
+    member.fields = member.plan.read_list();
+    for (const std::string& field : member.plan.optional_list())
+      if (setup_.catalogue.exists(field)) member.fields.push_back(field);
+  }
+}
+
+void SetupBuilder::finish_if(bool usable) {
+  if (!usable) return;
+  describe_scene();
+  collect_fields();
+  choose_output();
+  plan_observers();
+  if (!problems_.empty()) return;
+  std::vector<StepGraph::Member> members;
+  for (const auto& member : setup_.physics) members.push_back({member.instance, &member.passes});
+  std::vector<Reader> readers;
+  for (const auto& member : setup_.observers) readers.push_back({"observers." + member.instance, member.fields});
+  readers.push_back({"output.fields", setup_.output_fields});
+  setup_.graph = std::make_unique<StepGraph>(setup_.catalogue, members, readers);
+  setup_.resolved_text = resolved_.text();
+}
+
+}  // namespace
+
+std::unique_ptr<Setup> set_up(Case source, const PluginRegistry& registry, Problems& problems) {
+  auto setup = std::make_unique<Setup>(std::move(source));
+  SetupBuilder builder(*setup, registry, problems);
+  builder.make_plugins();
+  builder.choose_kernel();
+  try {
+    builder.finish_if(problems.empty());
+  } catch (const Error& error) {
+    if (error.code() != ExitCode::bad_case) throw;
+    problems.add({setup->source.file, 0, 0}, "", error.what());
+  }
+  if (!problems.empty())
+    throw Error(builder.refused() ? ExitCode::plugin_refused : ExitCode::bad_case, problems.text());
+  return setup;
+}
+
+}  // namespace mesogen

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "case/case.hpp"
+#include "initial/arrangement.hpp"
+#include "mesogen/export.hpp"
+#include "mesogen/plugin/scene.hpp"
+#include "mesogen/sph/kernel_function.hpp"
+#include "plugin/registry.hpp"
+#include "schedule/catalogue.hpp"
+#include "schedule/step_graph.hpp"
+
+namespace mesogen {
+
+/// A checked case with its plugins made and its step ordered: all that is fixed before a run starts.
+struct MESOGEN_EXPORT Setup {
+  struct PhysicsMember {
+    std::string instance;  ///< "physics.flow"
+    std::unique_ptr<Physics> plugin;
+    PassList passes;
+  };
+  struct ObserverMember {
+    std::string instance;  ///< "flow"
+    std::unique_ptr<Observer> plugin;
+    ObserverPlan plan;
+    ObserverTiming timing;
+    std::vector<std::string> fields;  ///< what it reads of what the scene has
+  };
+
+  explicit Setup(Case checked) : source(std::move(checked)), catalogue(2) {}
+
+  Case source;
+  std::unique_ptr<Kernel> kernel;
+  std::unique_ptr<Boundary> boundary;
+  std::vector<PhysicsMember> physics;
+  std::vector<ObserverMember> observers;
+  Arrangement arrangement;
+  Scene scene;
+  sph::SmoothingKernel smoothing;
+  Catalogue catalogue;
+  std::vector<std::string> output_fields;  ///< without position
+  std::unique_ptr<StepGraph> graph;        ///< readers: the observers in order, then the output
+  StepLimits limits;
+  std::string resolved_text;
+};
+
+/// Makes the plugins of a case, reads their parameters and orders the step. Throws an Error with all problems of the
+/// case at once: bad_case, or plugin_refused if a plugin that it needs was refused.
+MESOGEN_EXPORT std::unique_ptr<Setup> set_up(Case source, const PluginRegistry& registry, Problems& problems);
+
+}  // namespace mesogen

@@ -1,0 +1,237 @@
+#include "simulation/stepper.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <numeric>
+#include <set>
+
+#include "initial/fields.hpp"
+#include "simulation/number_text.hpp"
+
+namespace mesogen {
+
+namespace {
+
+Particles initial_particles(const Arrangement& arrangement, int dimension) {
+  Particles particles;
+  particles.dimension = dimension;
+  particles.id.resize(static_cast<std::size_t>(arrangement.count));
+  std::iota(particles.id.begin(), particles.id.end(), 0);
+  for (int d = 0; d < dimension; ++d) {
+    particles.position[d] = arrangement.position[d];
+    particles.images[d].assign(particles.id.size(), 0);
+  }
+  return particles;
+}
+
+// How far a particle may go in one step, in spacings, before the run has plainly run away.
+constexpr double farthest = 0.5;
+
+}  // namespace
+
+Stepper::Stepper(Setup& setup)
+    : setup_(setup),
+      world_(setup.scene, setup.smoothing, *setup.boundary,
+             initial_particles(setup.arrangement, setup.scene.dimension)),
+      derived_((add_fields(),
+                std::make_unique<DerivedFields>(world_, setup.catalogue, setup.graph->derived_for_integration(),
+                                                [&] {
+                                                  std::vector<std::set<std::string>> readers;
+                                                  for (std::size_t n = 0; n <= setup.observers.size(); ++n)
+                                                    readers.push_back(setup.graph->derived_for_reader(n));
+                                                  return readers;
+                                                }()))),
+      executor_(world_, *setup.graph, *derived_),
+      integrator_(world_, setup.catalogue, setup.graph->velocity(), setup.graph->shift()),
+      control_(setup.scene, setup.limits, setup.source.time.step, setup.source.time.factor) {
+  set_initial_fields();
+}
+
+// Fields that something keeps, reads or writes; what only pruned work would touch takes no memory.
+void Stepper::add_fields() {
+  std::set<std::string> used;
+  const auto use = [&](const std::vector<std::string>& names) { used.insert(names.begin(), names.end()); };
+  for (const Work& work : setup_.graph->works()) {
+    if (work.pruned()) continue;
+    use(work.pass.own_reads);
+    use(work.pass.neighbour_reads);
+    use(work.pass.optional_reads);
+    use(work.pass.write_list);
+    use(work.pass.accumulate_list);
+  }
+  for (const auto& [name, entry] : setup_.catalogue.all()) {
+    const bool integrated = entry.declaration.advance != Advance::never;
+    if (integrated || setup_.catalogue.is_state(name) || used.contains(name))
+      world_.add_field(name, setup_.catalogue.components(name), integrated);
+  }
+}
+
+void Stepper::set_initial_fields() {
+  const auto set = [&](const std::string& name, int component, const std::vector<double>& values) {
+    Field* const field = world_.fields.find(name);
+    if (field == nullptr) return;
+    for (Index i = 0; i < world_.particles.count(); ++i) field->set(component, i, values[static_cast<std::size_t>(i)]);
+    ++field->version;
+  };
+  const Case& source = setup_.source;
+  if (source.director.given) {
+    const auto q = initial_order_tensor(source, setup_.arrangement);
+    for (int c = 0; c < 2; ++c) set("order_tensor", c, q[c]);
+  }
+  if (source.velocity.given) {
+    const auto velocity = initial_velocity(source, setup_.arrangement);
+    for (int c = 0; c < 2; ++c) set("velocity", c, velocity[c]);
+  }
+  if (source.colour.given) set("colour", 0, initial_colour(source, setup_.arrangement));
+}
+
+void Stepper::start() {
+  world_.step_size = 0.0;
+  world_.settle();
+  const std::vector<bool> all(setup_.observers.size() + 1, true);
+  executor_.run(Phase::begin, all);
+  executor_.run(Phase::rates, all);
+  motion_.fastest = integrator_.fastest();
+  motion_.largest_acceleration = integrator_.largest_acceleration();
+}
+
+StepControl::Choice Stepper::next_step(double end) const {
+  StepControl::Choice choice = control_.choose(motion_.fastest, motion_.largest_acceleration);
+  const double left = end - world_.time;
+  // A step that nearly reaches the end goes there; of two last ones neither is tiny.
+  if (choice.seconds > left * (1.0 - 1e-9)) {
+    choice.seconds = left;
+  } else if (!control_.fixed() && choice.seconds > left / 2.0) {
+    choice.seconds = left / 2.0;
+  }
+  return choice;
+}
+
+void Stepper::advance(double step_size, const std::vector<bool>& reader_due) {
+  const double begun = world_.time;
+  const auto timed = [this](auto&& action) {
+    const auto from = std::chrono::steady_clock::now();
+    action();
+    integration_seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - from).count();
+  };
+  world_.step_size = step_size;
+  timed([&] {
+    integrator_.predict(step_size);
+    world_.settle();
+  });
+  world_.time = begun + step_size / 2.0;
+  executor_.run(Phase::begin, reader_due);
+  executor_.run(Phase::rates, reader_due);
+  timed([&] { motion_ = integrator_.correct(step_size); });
+  world_.time = begun + step_size;
+  ++world_.step;
+  check(motion_, step_size);
+  executor_.run(Phase::end, reader_due);
+}
+
+void Stepper::check(const Motion& motion, double step_size) {
+  const std::string when = " at t = " + number_text(world_.time) + " s (step " + std::to_string(world_.step) +
+                           ", step size " + number_text(step_size) + " s)";
+  if (!motion.finite) {
+    const auto bad = integrator_.find_bad();
+    std::string text = "the run broke down: '" + bad.field + "' is not a number";
+    if (bad.particle >= 0) {
+      text += " at particle " + std::to_string(world_.particles.id[bad.particle]) + " (";
+      for (int d = 0; d < world_.scene.dimension; ++d)
+        text += (d > 0 ? ", " : "") + number_text(world_.particles.position[d][bad.particle]);
+      text += ")";
+    }
+    throw Error(ExitCode::run_failed,
+                text + when +
+                    ". Take a smaller step (time.factor = 0.5, or time.step), more particles, or a "
+                    "smaller activity; the frames before are kept");
+  }
+  if (motion.fastest * step_size > farthest * world_.scene.spacing)
+    throw Error(ExitCode::run_failed,
+                "the run ran away: the largest speed of " + number_text(motion.fastest) +
+                    " m/s carries a particle over " + number_text(farthest) + " spacings in one step" + when +
+                    ". Take a smaller time.step, or leave it to \"auto\"; the frames before are kept");
+}
+
+std::vector<std::string> Stepper::kept_fields() const {
+  std::vector<std::string> names;
+  for (const auto& [name, entry] : setup_.catalogue.all()) {
+    if (!setup_.catalogue.is_state(name)) continue;
+    names.push_back(name);
+    if (entry.declaration.advance == Advance::predicted) names.push_back(entry.declaration.rate);
+  }
+  return names;
+}
+
+void Stepper::save(Checkpoint& checkpoint) {
+  checkpoint.step = world_.step;
+  checkpoint.time = world_.time;
+  checkpoint.step_size = world_.step_size;
+  checkpoint.precision = world_.scene.precision;
+  checkpoint.dimension = world_.scene.dimension;
+  checkpoint.integers["id"] = world_.particles.id;
+  for (int d = 0; d < world_.scene.dimension; ++d) {
+    const std::string axis = std::to_string(d);
+    checkpoint.numbers["position " + axis] = world_.particles.position[d];
+    checkpoint.numbers["sorted position " + axis] = world_.neighbourhood.sorted_position()[d];
+    const auto& images = world_.particles.images[d];
+    checkpoint.integers["images " + axis].assign(images.begin(), images.end());
+  }
+  for (const std::string& name : kept_fields()) {
+    const Field& field = world_.fields.at(name);
+    for (int c = 0; c < field.components(); ++c) {
+      auto& values = checkpoint.numbers["field " + name + " " + std::to_string(c)];
+      values.resize(world_.particles.id.size());
+      for (Index i = 0; i < world_.particles.count(); ++i) values[static_cast<std::size_t>(i)] = field.value(c, i);
+    }
+  }
+}
+
+void Stepper::restore(const Checkpoint& checkpoint) {
+  const auto take = [&](const auto& map, const std::string& name) -> const auto& {
+    const auto at = map.find(name);
+    if (at == map.end() || at->second.size() != world_.particles.id.size())
+      throw Error(ExitCode::bad_case, "the checkpoint has no '" + name + "' for " +
+                                          std::to_string(world_.particles.id.size()) +
+                                          " particles: it belongs to another case");
+    return at->second;
+  };
+  world_.step = checkpoint.step;
+  world_.time = checkpoint.time;
+  world_.step_size = checkpoint.step_size;
+  world_.particles.id = take(checkpoint.integers, "id");
+  std::array<std::vector<double>, 3> sorted;
+  for (int d = 0; d < world_.scene.dimension; ++d) {
+    const std::string axis = std::to_string(d);
+    world_.particles.position[d] = take(checkpoint.numbers, "position " + axis);
+    sorted[d] = take(checkpoint.numbers, "sorted position " + axis);
+    const auto& images = take(checkpoint.integers, "images " + axis);
+    for (std::size_t i = 0; i < images.size(); ++i)
+      world_.particles.images[d][i] = static_cast<std::int32_t>(images[i]);
+  }
+  for (const std::string& name : kept_fields()) {
+    Field& field = world_.fields.at(name);
+    for (int c = 0; c < field.components(); ++c) {
+      const auto& values = take(checkpoint.numbers, "field " + name + " " + std::to_string(c));
+      for (Index i = 0; i < world_.particles.count(); ++i) field.set(c, i, values[static_cast<std::size_t>(i)]);
+    }
+    ++field.version;
+  }
+  world_.restore_order(std::move(sorted));
+  motion_.fastest = integrator_.fastest();
+  motion_.largest_acceleration = integrator_.largest_acceleration();
+}
+
+std::vector<Stepper::Share> Stepper::shares() const {
+  std::vector<Share> all;
+  for (const Work& work : setup_.graph->works())
+    if (!work.pruned()) all.push_back({work.title(), work.runs, work.seconds});
+  for (const auto& counter : derived_->counters())
+    all.push_back({"framework: " + counter.title, counter.runs, counter.seconds});
+  all.push_back({"framework: integration, sorting, copies", world_.step, integration_seconds_});
+  std::sort(all.begin(), all.end(), [](const Share& a, const Share& b) { return a.seconds > b.seconds; });
+  return all;
+}
+
+}  // namespace mesogen

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "mesogen/export.hpp"
+#include "output/checkpoint.hpp"
+#include "schedule/derived_fields.hpp"
+#include "schedule/executor.hpp"
+#include "schedule/world.hpp"
+#include "simulation/setup.hpp"
+#include "time/integrator.hpp"
+#include "time/step_control.hpp"
+
+namespace mesogen {
+
+/// The state of a run and how it goes on by one step.
+class MESOGEN_EXPORT Stepper {
+ public:
+  /// At the initial conditions of the setup, which must outlive it.
+  explicit Stepper(Setup& setup);
+
+  /// Evaluates the rates at the initial state: the acceleration that the first step starts with.
+  void start();
+  /// The next step, no longer than to `end`.
+  [[nodiscard]] StepControl::Choice next_step(double end) const;
+  /// One step. `reader_due` tells which readers will read at its end. Throws Error(run_failed) if the run broke down.
+  void advance(double step_size, const std::vector<bool>& reader_due);
+
+  [[nodiscard]] World& world() { return world_; }
+  [[nodiscard]] Executor& executor() { return executor_; }
+  [[nodiscard]] const StepControl& control() const { return control_; }
+  [[nodiscard]] const Setup& setup() const { return setup_; }
+
+  void save(Checkpoint& checkpoint);
+  void restore(const Checkpoint& checkpoint);
+
+  /// Where the time went, the largest first.
+  struct Share {
+    std::string work;
+    std::int64_t runs;
+    double seconds;
+  };
+  [[nodiscard]] std::vector<Share> shares() const;
+
+ private:
+  void add_fields();
+  void set_initial_fields();
+  void check(const Motion& motion, double step_size);
+  [[nodiscard]] std::vector<std::string> kept_fields() const;
+
+  Setup& setup_;
+  World world_;
+  std::unique_ptr<DerivedFields> derived_;
+  Executor executor_;
+  Integrator integrator_;
+  StepControl control_;
+  Motion motion_;
+  double integration_seconds_ = 0.0;
+};
+
+}  // namespace mesogen

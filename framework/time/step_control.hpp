@@ -1,0 +1,35 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "mesogen/export.hpp"
+#include "mesogen/plugin/scene.hpp"
+
+namespace mesogen {
+
+/// Chooses the step: the smallest of the plugins' limits and of those of motion,
+/// 0.25 sqrt(h / |a|max) and 0.2 dx / |u|max, times the case's factor; or the case's own step.
+class MESOGEN_EXPORT StepControl {
+ public:
+  StepControl(const Scene& scene, StepLimits limits, std::optional<double> fixed, double factor);
+
+  struct Choice {
+    double seconds;
+    std::string limit;  ///< what binds
+  };
+  [[nodiscard]] Choice choose(double fastest, double largest_acceleration) const;
+  /// All limits that stay the same over the run.
+  [[nodiscard]] const StepLimits& limits() const { return limits_; }
+  [[nodiscard]] bool fixed() const { return fixed_.has_value(); }
+
+ private:
+  double spacing_;
+  double smoothing_length_;
+  StepLimits limits_;
+  std::optional<double> fixed_;
+  double factor_;
+};
+
+}  // namespace mesogen

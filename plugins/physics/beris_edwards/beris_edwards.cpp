@@ -1,0 +1,157 @@
+// The order tensor of a nematic, Beris and Edwards (1994), in 2D with the trace of S removed by I/2:
+//
+//   DQ11/Dt = lambda E11 - 2 lambda (Q:E) Q11 - w Q12 + Gamma H11
+//   DQ12/Dt = lambda E12 - 2 lambda (Q:E) Q12 + w Q11 + Gamma H12
+//   Q:E = 2 (Q11 E11 + Q12 E12),   E = sym(grad u),   w = dv/dx - du/dy
+//   H = -A Q - C Q Tr(Q^2) + K lap Q
+//
+// Signs: a rigid rotation turns the director with the fluid, dtheta/dt = w/2.
+
+#include <cmath>
+
+#include "mesogen/plugin/physics.hpp"
+#include "mesogen/plugin/plugin.hpp"
+#include "mesogen/sph/order_tensor.hpp"
+
+namespace {
+
+using namespace mesogen;
+
+struct Nematic {
+  double gamma = 0.0;   // rotational diffusivity, 1/(Pa s)
+  double lambda = 0.0;  // flow alignment
+  double k = 0.0;       // elastic constant, N
+  double a = -1.0;      // bulk, Pa
+  double b = 0.0;
+  double c = 0.5;
+};
+
+template <class Real, int Dim>
+struct MolecularField {
+  FieldView<const Real> q, laplacian;
+  FieldView<Real> field;
+  Real a, c, k;
+
+  MESOGEN_HOST_DEVICE void operator()(Index i) const {
+    const Real trace = sph::trace_of_square(q(0, i), q(1, i));
+    for (int n = 0; n < 2; ++n) field(n, i) = sph::molecular_field(a, c, k, q(n, i), trace, laplacian(n, i));
+  }
+};
+
+template <class Real, int Dim>
+struct Rate {
+  FieldView<const Real> q, laplacian, velocity_gradient;  // the last may be empty: no flow
+  FieldView<Real> rate;
+  Real gamma, lambda, a, c, k;
+
+  MESOGEN_HOST_DEVICE void operator()(Index i) const {
+    const Real q11 = q(0, i);
+    const Real q12 = q(1, i);
+    const Real trace = sph::trace_of_square(q11, q12);
+    Real rate11 = gamma * sph::molecular_field(a, c, k, q11, trace, laplacian(0, i));
+    Real rate12 = gamma * sph::molecular_field(a, c, k, q12, trace, laplacian(1, i));
+    if (velocity_gradient) {
+      const Real ux = velocity_gradient(0, i);
+      const Real uy = velocity_gradient(1, i);
+      const Real vx = velocity_gradient(2, i);
+      const Real vy = velocity_gradient(3, i);
+      // Half the difference: without the divergence that a weakly compressible flow has, E stays traceless.
+      const Real e11 = (ux - vy) / Real(2);
+      const Real e12 = (uy + vx) / Real(2);
+      const Real vorticity = vx - uy;
+      const Real stretch = Real(2) * lambda * Real(2) * (q11 * e11 + q12 * e12);
+      rate11 += lambda * e11 - stretch * q11 - vorticity * q12;
+      rate12 += lambda * e12 - stretch * q12 + vorticity * q11;
+    }
+    rate(0, i) = rate11;
+    rate(1, i) = rate12;
+  }
+};
+
+template <class Real, int Dim>
+class BerisEdwards final : public Physics {
+  static_assert(Dim == 2, "the equations here are those of two dimensions");
+
+ public:
+  void parameters(ParameterList& list) override {
+    list.number("rotational_diffusivity", nematic_.gamma)
+        .unit("1/(Pa s)")
+        .above(0)
+        .required()
+        .doc("Gamma: how fast Q relaxes toward the minimum of the free energy");
+    list.number("flow_alignment", nematic_.lambda)
+        .unit("1")
+        .required()
+        .doc("lambda: coupling to the strain rate; with |lambda| >= 2 q the director aligns with a shear");
+    list.number("elastic_constant", nematic_.k)
+        .unit("N")
+        .at_least(0)
+        .required()
+        .doc("K: cost of gradients of Q (one constant)");
+    list.number("bulk.A", nematic_.a).unit("Pa").doc("second-order bulk coefficient; below 0 the fluid is nematic");
+    list.number("bulk.B", nematic_.b).unit("Pa").doc("third-order bulk coefficient; drops out in 2D");
+    list.number("bulk.C", nematic_.c)
+        .unit("Pa")
+        .at_least(0)
+        .doc("fourth-order bulk coefficient; the equilibrium order is sqrt(-A / 2C)");
+  }
+
+  void constants(Constants& constants) const override {
+    constants["rotational_diffusivity"] = nematic_.gamma;
+    constants["flow_alignment"] = nematic_.lambda;
+    constants["elastic_constant"] = nematic_.k;
+    constants["bulk_A"] = nematic_.a;
+    constants["bulk_C"] = nematic_.c;
+  }
+
+  void passes(PassList& list) override {
+    list.field("order_tensor", Rank::order_tensor)
+        .doc("Q = q (2 n n - I), stored as (Q11, Q12) = q (cos 2 theta, sin 2 theta)")
+        .advanced_by("order_tensor_rate");
+    list.field("order_tensor_rate", Rank::order_tensor).unit("1/s").doc("DQ/Dt");
+    list.field("molecular_field", Rank::order_tensor).unit("Pa").doc("H = -A Q - C Q Tr(Q^2) + K lap Q");
+    list.pass("molecular field")
+        .reads({"order_tensor", "order_tensor_laplacian"})
+        .writes({"molecular_field"})
+        .run([this](const PassContext& context) {
+          exec::for_each(context.space(), context.count(),
+                         MolecularField<Real, Dim>{context.read<Real>("order_tensor"),
+                                                   context.read<Real>("order_tensor_laplacian"),
+                                                   context.write<Real>("molecular_field"), Real(nematic_.a),
+                                                   Real(nematic_.c), Real(nematic_.k)});
+        });
+    list.pass("rate of the order tensor")
+        .reads({"order_tensor", "order_tensor_laplacian"})
+        .reads_if_present({"velocity_gradient"})
+        .writes({"order_tensor_rate"})
+        .run([this](const PassContext& context) {
+          Rate<Real, Dim> rate{context.read<Real>("order_tensor"),
+                               context.read<Real>("order_tensor_laplacian"),
+                               {},
+                               context.write<Real>("order_tensor_rate"),
+                               Real(nematic_.gamma),
+                               Real(nematic_.lambda),
+                               Real(nematic_.a),
+                               Real(nematic_.c),
+                               Real(nematic_.k)};
+          if (context.has("velocity_gradient")) rate.velocity_gradient = context.read<Real>("velocity_gradient");
+          exec::for_each(context.space(), context.count(), rate);
+        });
+  }
+
+  void step_limits(const Scene& scene, StepLimits& limits) const override {
+    const double h = scene.smoothing_length;
+    if (nematic_.k > 0.0)
+      limits.add("elasticity: 0.125 h^2 / (Gamma K)", 0.125 * h * h / (nematic_.gamma * nematic_.k));
+    const double stiffness = std::abs(nematic_.a) + 6.0 * nematic_.c;
+    if (stiffness > 0.0) limits.add("bulk relaxation: 0.25 / (Gamma (|A| + 6 C))", 0.25 / (nematic_.gamma * stiffness));
+  }
+
+ private:
+  Nematic nematic_;
+};
+
+}  // namespace
+
+MESOGEN_PHYSICS_PLUGIN(BerisEdwards, "beris_edwards", "1.0.0",
+                       "Order tensor of a nematic: alignment with the flow, rotation, relaxation, elasticity")

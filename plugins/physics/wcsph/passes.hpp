@@ -1,0 +1,163 @@
+#pragma once
+
+// The sums of weakly compressible SPH. Density is kept as compression c = rho / rho0 - 1, so that float resolves it
+// however small it is.
+
+#include "mesogen/exec/for_each.hpp"
+#include "mesogen/sph/pair_sum.hpp"
+
+namespace mesogen::wcsph {
+
+/// Continuity: dc/dt = -(1 + c) div u, with the corrected gradient; c at the midpoint of the step is c + dt/2 dc/dt.
+template <class Real, int Dim>
+struct Continuity {
+  FieldView<const Real> compression, velocity_gradient;
+  FieldView<Real> rate, midpoint, density;
+  Real half_step, reference_density;
+
+  MESOGEN_HOST_DEVICE void operator()(Index i) const {
+    Real divergence = Real(0);
+    for (int d = 0; d < Dim; ++d) divergence += velocity_gradient(d * Dim + d, i);
+    const Real change = -(Real(1) + compression(i)) * divergence;
+    rate(i) += change;
+    midpoint(i) = compression(i) + half_step * change;
+    density(i) = reference_density * (Real(1) + midpoint(i));
+  }
+};
+
+/// Density filter and particle shifting share a pass over the pairs.
+///
+/// Filter (Shepard; Ozbulut et al. 2020): c - beta sum_j (c_i - c_j) W_ij / sum_j W_ij.
+/// Shift (artificial particle displacement; Shadloo et al. 2011, Ozbulut et al. 2017), as a velocity:
+///   sum_j r_ij / r_ij^3 r0^2 u_v,   u_v = |sum_j (u_i - u_j) W_ij| / sum_j W_ij,   r0 = mean distance of neighbours.
+template <class Real, int Dim>
+struct FilterAndShift {
+  static constexpr int sum_count = 4 + 2 * Dim;
+  enum Sum { weight, weighted_compression, neighbours, distances, weighted_velocity, push = weighted_velocity + Dim };
+
+  FieldView<const Real> compression, velocity;
+  FieldView<Real> filtered;  // empty: no filter
+  FieldView<Real> shift;     // empty: no shift
+  Real beta, shift_strength;
+
+  struct Own {
+    Real compression;
+    Real velocity[Dim];
+  };
+  MESOGEN_HOST_DEVICE Own load(Index i) const {
+    Own own{compression(i), {}};
+    for (int d = 0; d < Dim; ++d) own.velocity[d] = velocity(d, i);
+    return own;
+  }
+
+  template <class Pair, class Lane>
+  [[gnu::always_inline]] MESOGEN_HOST_DEVICE void pair(const Own& own, const Pair& p, Lane* sum) const {
+    const Lane w = p.value();
+    sum[weight] = sum[weight] + w;
+    sum[weighted_compression] = sum[weighted_compression] + w * (p.load(compression) - Lane(own.compression));
+    const Lane inverse = p.inside(p.inverse_distance);
+    sum[neighbours] = sum[neighbours] + p.inside(Lane(Real(1)));
+    sum[distances] = sum[distances] + p.inside(p.distance);
+    const Lane cube = inverse * inverse * inverse;
+    for (int d = 0; d < Dim; ++d) {
+      sum[weighted_velocity + d] = sum[weighted_velocity + d] + w * (Lane(own.velocity[d]) - p.load(velocity, d));
+      sum[push + d] = sum[push + d] + cube * p.separation[d];
+    }
+  }
+
+  MESOGEN_HOST_DEVICE void finish(Index i, const Own& own, const Real* sum) const {
+    const Real per_weight = Real(1) / sum[weight];
+    if (filtered) filtered(i) = own.compression + beta * sum[weighted_compression] * per_weight;
+    if (!shift) return;
+    Real spread = Real(0);
+    for (int d = 0; d < Dim; ++d) spread += sum[weighted_velocity + d] * sum[weighted_velocity + d];
+    spread = exec::square_root(spread) * per_weight;
+    // The particle itself was counted, at distance zero.
+    const Real others = sum[neighbours] - Real(1);
+    const Real mean_distance = others > Real(0) ? sum[distances] / others : Real(0);
+    const Real scale = shift_strength * mean_distance * mean_distance * spread;
+    for (int d = 0; d < Dim; ++d) shift(d, i) += scale * sum[push + d];
+  }
+};
+
+/// Tait: p = rho0 c0^2 / 7 ((1 + c)^7 - 1), expanded so that nothing cancels; and p / rho^2 for the pair sum.
+template <class Real>
+struct EquationOfState {
+  FieldView<const Real> compression;
+  FieldView<Real> pressure, pressure_term;
+  Real stiffness;  // rho0 c0^2
+  Real reference_density;
+
+  MESOGEN_HOST_DEVICE void operator()(Index i) const {
+    const Real c = compression(i);
+    const Real series =
+        c * (Real(1) + c * (Real(3) + c * (Real(5) + c * (Real(5) + c * (Real(3) + c * (Real(1) + c / Real(7)))))));
+    const Real rho = reference_density * (Real(1) + c);
+    pressure(i) = stiffness * series;
+    pressure_term(i) = pressure(i) / (rho * rho);
+  }
+};
+
+/// Acceleration by pressure, -rho_i sum_j V_j (p_i / rho_i^2 + p_j / rho_j^2) B_i grad W_ij, and by viscosity:
+/// mu/rho lap u (component-wise), or with `Radial` (Monaghan & Gingold 1983)
+/// 8 mu/rho sum_j V_j (u_ij . r_ij) / r_ij^2 B_i grad W_ij.
+template <class Real, int Dim, bool Radial>
+struct Momentum {
+  static constexpr int sum_count = Radial ? 2 * Dim : Dim;
+  FieldView<const Real> volume, pressure_term, density, correction, velocity;
+  FieldView<const Real> velocity_laplacian;  // empty with Radial
+  FieldView<Real> acceleration;
+  Real viscosity;
+
+  struct Own {
+    Real pressure_term;
+    Real velocity[Dim];
+  };
+  MESOGEN_HOST_DEVICE Own load(Index i) const {
+    Own own{pressure_term(i), {}};
+    if constexpr (Radial)
+      for (int d = 0; d < Dim; ++d) own.velocity[d] = velocity(d, i);
+    return own;
+  }
+
+  template <class Pair, class Lane>
+  [[gnu::always_inline]] MESOGEN_HOST_DEVICE void pair(const Own& own, const Pair& p, Lane* sum) const {
+    const Lane g = p.load(volume) * p.gradient();
+    const Lane push = g * (p.load(pressure_term) + Lane(own.pressure_term));
+    for (int d = 0; d < Dim; ++d) sum[d] = sum[d] + push * p.separation[d];
+    if constexpr (Radial) {
+      Lane approach(Real(0));
+      for (int d = 0; d < Dim; ++d)
+        approach = approach + (Lane(own.velocity[d]) - p.load(velocity, d)) * p.separation[d];
+      const Lane drag = g * approach * p.inverse_distance * p.inverse_distance;
+      for (int d = 0; d < Dim; ++d) sum[Dim + d] = sum[Dim + d] + drag * p.separation[d];
+    }
+  }
+
+  MESOGEN_HOST_DEVICE void finish(Index i, const Own&, const Real* sum) const {
+    const Real rho = density(i);
+    Real force[Dim];
+    for (int d = 0; d < Dim; ++d) {
+      force[d] = -rho * sum[d];
+      if constexpr (Radial) force[d] += Real(8) * viscosity / rho * sum[Dim + d];
+    }
+    for (int a = 0; a < Dim; ++a) {
+      Real total = Real(0);
+      for (int b = 0; b < Dim; ++b) total += correction(a * Dim + b, i) * force[b];
+      if constexpr (!Radial) total += viscosity / rho * velocity_laplacian(a, i);
+      acceleration(a, i) += total;
+    }
+  }
+};
+
+/// Feeds the filtered density back: dc/dt gains (filtered - midpoint) / dt.
+template <class Real>
+struct Feedback {
+  FieldView<const Real> filtered, midpoint;
+  FieldView<Real> rate;
+  Real per_step;
+
+  MESOGEN_HOST_DEVICE void operator()(Index i) const { rate(i) += per_step * (filtered(i) - midpoint(i)); }
+};
+
+}  // namespace mesogen::wcsph
