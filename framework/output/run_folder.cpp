@@ -108,7 +108,7 @@ void remove_frames(const fs::path& folder, std::size_t first) {
 RunLock::RunLock(const fs::path& folder) {
   const fs::path path = folder / "mesogen.lock";
   file_ = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
-  if (file_ < 0) throw output::system_error(ExitCode::bad_case, "lock the run: write", path, errno);
+  if (file_ < 0) throw output::system_error(ExitCode::bad_case, "lock the folder by", path, errno);
   if (::flock(file_, LOCK_EX | LOCK_NB) == 0) return;
   const int number = errno;
   ::close(file_);
