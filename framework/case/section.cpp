@@ -29,7 +29,8 @@ class SectionReader {
         if (value.as<Value::Table>() != nullptr) {
           refuse_unknown(value, key_path, {});
         } else {
-          problems_.add(value.place, section_.full_key(key_path), "must be a table with the keys " + listed(inner) + ", but is " + shown(value));
+          problems_.add(value.place, section_.full_key(key_path),
+                        "must be a table with the keys " + listed(inner) + ", but is " + shown(value));
           broken_tables_.push_back(key_path + ".");
         }
       }

@@ -57,7 +57,7 @@ std::string arrangement_problem(const Case& source) {
   for (std::size_t axis = 0; axis < 2; ++axis) {
     const double fitting = size[axis] / count[axis];
     if (std::abs(fitting / spacing - 1.0) <= 0.01) continue;
-    return fmt::format("does not fit the box: {} m are {:.2f} spacings along {}; {} m would make it {}", size[axis],
+    return fmt::format("does not fit the box: {} m are {:.2f} spacings along {}; {:.6g} m would make it {}", size[axis],
                        size[axis] / spacing, axis == 0 ? "x" : "y", fitting, count[axis]);
   }
   return {};
