@@ -1,0 +1,63 @@
+#include <fmt/format.h>
+
+#include <memory>
+#include <set>
+
+#include "options.hpp"
+#include "verbs.hpp"
+
+namespace mesogen::app {
+
+namespace {
+
+std::string advance_text(const FieldDeclaration& field) {
+  switch (field.advance) {
+    case Advance::never: return "";
+    case Advance::midpoint: return "advanced with " + field.rate;
+    case Advance::predicted: return "predicted and corrected with " + field.rate;
+  }
+  return "";
+}
+
+/// Fields that the framework makes for whoever reads them.
+std::set<std::string> derived_fields(const Setup& setup) {
+  std::set<std::string> derived = setup.graph->derived_for_integration();
+  for (std::size_t reader = 0; reader <= setup.observers.size(); ++reader)
+    derived.merge(std::set<std::string>(setup.graph->derived_for_reader(reader)));
+  return derived;
+}
+
+ExitCode list(const CaseOptions& options) {
+  const auto setup = set_up(options, load_plugins(options.plugin_folders));
+  const auto line = [](std::string_view name, std::string_view form, std::string_view unit, std::string_view owner,
+                       std::string_view note) {
+    std::string text = fmt::format("{:<26} {:<13} {:<10} {:<18} {}", name, form, unit, owner, note);
+    text.erase(text.find_last_not_of(' ') + 1);
+    fmt::print("{}\n", text);
+  };
+  line("FIELD", "RANK", "UNIT", "FROM", "");
+  line("position", to_string(Rank::vector), "m", "framework", "advanced with " + setup->graph->velocity());
+  for (const auto& [name, entry] : setup->catalogue.all()) {
+    line(name, to_string(entry.declaration.rank), entry.declaration.unit_text, entry.owner,
+         advance_text(entry.declaration));
+    if (!entry.declaration.doc_text.empty()) fmt::print("  {}\n", entry.declaration.doc_text);
+  }
+  for (const auto& name : derived_fields(*setup))
+    line(name, fmt::format("{} components", setup->catalogue.components(name)), setup->catalogue.unit(name),
+         "framework", "made when read");
+  return ExitCode::done;
+}
+
+}  // namespace
+
+void add_field(CLI::App& command, Action& action) {
+  auto* const field = command.add_subcommand("field", "Tell about the fields of a case");
+  field->require_subcommand(1);
+  const auto options = std::make_shared<CaseOptions>();
+  auto* const verb =
+      field->add_subcommand("list", "All fields of a case: rank, unit, who brings them, how they advance");
+  add_case(*verb, *options);
+  verb->callback([&action, options] { action = [options] { return list(*options); }; });
+}
+
+}  // namespace mesogen::app

@@ -1,0 +1,52 @@
+#include <fmt/format.h>
+
+#include <exception>
+#include <iostream>
+#include <new>
+
+#include "diagnostics/version.hpp"
+#include "verbs.hpp"
+
+namespace {
+
+using mesogen::ExitCode;
+
+int tell(ExitCode code, const std::string& text) {
+  // Several errors of a case: one a line, beginning with file:line:column as editors like it.
+  const bool several = text.find('\n') != std::string::npos;
+  fmt::print(stderr, "{}{}{}", several ? "errors:\n" : "error: ", text, text.ends_with('\n') ? "" : "\n");
+  return static_cast<int>(code);
+}
+
+}  // namespace
+
+int main(int count, char** arguments) {
+  using namespace mesogen;
+  try {
+    CLI::App command("Mesogen: active nematics by smoothed particle hydrodynamics", "mesogen");
+    command.set_version_flag("--version", fmt::format("mesogen {} ({})", version(), build_text()));
+    command.set_help_all_flag("--help-all", "Print the help of all verbs");
+    command.require_subcommand(1);
+    app::Action action;
+    app::add_run(command, action);
+    app::add_resume(command, action);
+    app::add_check(command, action);
+    app::add_graph(command, action);
+    app::add_plugin(command, action);
+    app::add_field(command, action);
+    app::add_report(command, action);
+    try {
+      command.parse(count, arguments);
+    } catch (const CLI::ParseError& error) {
+      const int result = command.exit(error, std::cout, std::cerr);
+      return static_cast<int>(result == 0 ? ExitCode::done : ExitCode::bad_case);
+    }
+    return static_cast<int>(action());
+  } catch (const Error& error) {
+    return tell(error.code(), error.what());
+  } catch (const std::bad_alloc&) {
+    return tell(ExitCode::run_failed, "there is not enough memory; take fewer particles, or single precision");
+  } catch (const std::exception& error) {
+    return tell(ExitCode::run_failed, fmt::format("unexpected: {}", error.what()));
+  }
+}

@@ -1,0 +1,42 @@
+#include <iostream>
+#include <memory>
+
+#include "interrupt.hpp"
+#include "options.hpp"
+#include "simulation/run.hpp"
+#include "verbs.hpp"
+
+namespace mesogen::app {
+
+namespace {
+
+struct Options {
+  std::string folder;
+  PluginFolders plugin_folders;
+  RunningOptions running;
+};
+
+ExitCode resume(const Options& options) {
+  use_threads(options.running);
+  const auto registry = load_plugins(options.plugin_folders, options.running.quiet);
+  RunOptions run;
+  run.folder = options.folder;
+  run.profile = options.running.profile;
+  run.stop = &stop_on_signal();
+  Log log(options.running.quiet);
+  Progress progress(std::cerr, Progress::style_for(2, options.running.quiet));
+  return resume_run(registry, run, log, progress);
+}
+
+}  // namespace
+
+void add_resume(CLI::App& command, Action& action) {
+  const auto options = std::make_shared<Options>();
+  auto* const verb = command.add_subcommand("resume", "Continue a run from its newest checkpoint");
+  verb->add_option("folder", options->folder, "Folder of the run")->type_name("DIR")->required();
+  add_plugin_path(*verb, options->plugin_folders);
+  add_running(*verb, options->running);
+  verb->callback([&action, options] { action = [options] { return resume(*options); }; });
+}
+
+}  // namespace mesogen::app

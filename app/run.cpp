@@ -1,0 +1,55 @@
+#include "simulation/run.hpp"
+
+#include <iostream>
+#include <memory>
+
+#include "interrupt.hpp"
+#include "options.hpp"
+#include "verbs.hpp"
+
+namespace mesogen::app {
+
+namespace {
+
+struct Options {
+  CaseOptions source;
+  RunningOptions running;
+  std::string output;
+  bool overwrite = false;
+};
+
+/// output/<name>: the file's own name, or that of its folder if it is called case.toml.
+std::filesystem::path default_folder(const std::string& case_file) {
+  const auto file = std::filesystem::absolute(case_file).lexically_normal();
+  const auto name = file.stem() == "case" ? file.parent_path().filename() : file.stem();
+  return std::filesystem::path("output") / name;
+}
+
+ExitCode run(const Options& options) {
+  use_threads(options.running);
+  const auto registry = load_plugins(options.source.plugin_folders, options.running.quiet);
+  Case source = read(options.source, registry);
+  RunOptions run;
+  run.folder = options.output.empty() ? default_folder(options.source.file) : std::filesystem::path(options.output);
+  run.overwrite = options.overwrite;
+  run.profile = options.running.profile;
+  run.stop = &stop_on_signal();
+  Log log(options.running.quiet);
+  Progress progress(std::cerr, Progress::style_for(2, options.running.quiet));
+  return run_case(std::move(source), registry, run, log, progress);
+}
+
+}  // namespace
+
+void add_run(CLI::App& command, Action& action) {
+  const auto options = std::make_shared<Options>();
+  auto* const verb = command.add_subcommand("run", "Run a case");
+  add_case(*verb, options->source);
+  verb->add_option("--output", options->output, "Folder for the results (default: output/<name of the case>)")
+      ->type_name("DIR");
+  verb->add_flag("--overwrite", options->overwrite, "Remove the run that the folder holds first");
+  add_running(*verb, options->running);
+  verb->callback([&action, options] { action = [options] { return run(*options); }; });
+}
+
+}  // namespace mesogen::app

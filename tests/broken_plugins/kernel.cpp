@@ -1,0 +1,46 @@
+// A kernel plugin whose descriptor can be spoilt by definitions.
+#include "mesogen/plugin/kernel.hpp"
+
+#include "mesogen/plugin/plugin.hpp"
+
+#ifndef MAGIC
+#define MAGIC mesogen::descriptor_magic
+#endif
+#ifndef ABI
+#define ABI mesogen::abi_number
+#endif
+#ifndef SIZE
+#define SIZE sizeof(mesogen::PluginDescriptor)
+#endif
+#ifndef TAG
+#define TAG MESOGEN_BUILD_TAG
+#endif
+#ifndef NAME
+#define NAME "spoilt"
+#endif
+#ifndef VERSION
+#define VERSION "1.0.0"
+#endif
+
+namespace {
+
+class Cubic final : public mesogen::Kernel {
+ public:
+  [[nodiscard]] mesogen::sph::KernelShape shape() const override {
+    return {.pieces = {{2.0, {1.0}}, {1.0, {-4.0}}}, .power = 3};
+  }
+};
+
+constexpr mesogen::PluginDescriptor descriptor{MAGIC,
+                                               ABI,
+                                               SIZE,
+                                               TAG,
+                                               mesogen::PluginKind::kernel,
+                                               NAME,
+                                               VERSION,
+                                               "Cubic spline",
+                                               &mesogen::detail::create_plain<mesogen::Kernel, Cubic>};
+
+}  // namespace
+
+BOOST_DLL_ALIAS(descriptor, mesogen_plugin)
