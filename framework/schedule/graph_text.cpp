@@ -1,0 +1,105 @@
+// The step graph for people: as text, and for Graphviz.
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "schedule/step_graph.hpp"
+
+namespace mesogen {
+
+namespace {
+
+constexpr Phase phases[] = {Phase::begin, Phase::rates, Phase::end};
+
+std::string_view name_of(Phase phase) {
+  switch (phase) {
+    case Phase::begin: return "begin";
+    case Phase::rates: return "rates";
+    case Phase::end: return "end";
+  }
+  return "";
+}
+
+std::string needed_by(const Work& work, const std::vector<Reader>& readers) {
+  if (work.for_integration) return "the time integration";
+  std::string names;
+  for (std::size_t n = 0; n < readers.size(); ++n)
+    if (work.for_observer[n]) names += (names.empty() ? "" : ", ") + readers[n].name;
+  return names.empty() ? "nobody" : names;
+}
+
+std::string quoted(const std::string& text) { return '"' + text + '"'; }
+
+}  // namespace
+
+std::string StepGraph::text() const {
+  std::string text;
+  const auto list = [](const char* title, const std::vector<std::string>& fields) {
+    return fields.empty() ? std::string() : fmt::format("      {:<12}{}\n", title, fmt::join(fields, ", "));
+  };
+  for (const Phase phase : phases) {
+    if (order(phase).empty()) continue;
+    text += fmt::format("phase {}\n", name_of(phase));
+    int number = 0;
+    for (const std::size_t n : order(phase)) {
+      const Work& work = works_[n];
+      text += fmt::format("  {:2}. {}", ++number, work.title());
+      if (!work.for_integration) text += fmt::format("   (only when due: {})", needed_by(work, readers_));
+      text += '\n';
+      text += list("reads", work.pass.own_reads) + list("neighbours", work.pass.neighbour_reads) +
+              list("if present", work.pass.optional_reads) + list("writes", work.pass.write_list) +
+              list("adds to", work.pass.accumulate_list);
+    }
+  }
+  if (!derived_for_integration_.empty())
+    text += fmt::format("offered by the framework, every step\n      {}\n", fmt::join(derived_for_integration_, ", "));
+  std::set<std::string> seldom;
+  for (const auto& derived : derived_for_reader_)
+    for (const std::string& field : derived)
+      if (!derived_for_integration_.contains(field)) seldom.insert(field);
+  if (!seldom.empty())
+    text += fmt::format("offered by the framework, when a reader is due\n      {}\n", fmt::join(seldom, ", "));
+  text += velocity_.empty()
+              ? std::string("nothing moves: neighbours are found once\n")
+              : fmt::format("particles move with {}{}\n", velocity_, shift_.empty() ? "" : " and " + shift_);
+  for (const Work& work : works_)
+    if (work.pruned()) text += fmt::format("pruned: {} (nobody needs what it makes)\n", work.title());
+  return text;
+}
+
+std::string StepGraph::graphviz() const {
+  std::string text = "digraph step {\n  rankdir=LR;\n  node [fontname=\"sans-serif\"];\n";
+  std::set<std::string> fields;
+  const auto edge = [&](const std::string& from, const std::string& to, const std::string& style) {
+    text += fmt::format("  {} -> {}{};\n", quoted(from), quoted(to), style);
+  };
+  for (const Phase phase : phases) {
+    text += fmt::format("  subgraph cluster_{0} {{\n    label=\"{0}\";\n", name_of(phase));
+    for (const Work& work : works_)
+      if (work.pass.phase == phase)
+        text += fmt::format("    {} [shape=box{}];\n", quoted(work.title()),
+                            work.pruned() ? ", style=dashed, color=gray, fontcolor=gray" : "");
+    text += "  }\n";
+  }
+  for (const Work& work : works_) {
+    for (const std::string& field : sources(work)) {
+      edge(field, work.title(), "");
+      fields.insert(field);
+    }
+    for (const std::string& field : work.pass.write_list) edge(work.title(), field, "");
+    for (const std::string& field : work.pass.accumulate_list) edge(work.title(), field, " [label=\"+\"]");
+  }
+  for (const Reader& reader : readers_) {
+    text += fmt::format("  {} [shape=note];\n", quoted(reader.name));
+    for (const std::string& field : reader.fields) {
+      edge(field, reader.name, "");
+      fields.insert(field);
+    }
+  }
+  for (const std::string& field : fields)
+    if (catalogue_.find(field) == nullptr)
+      text += fmt::format("  {} [shape=box, style=rounded, color=blue];\n", quoted(field));
+  return text + "}\n";
+}
+
+}  // namespace mesogen
