@@ -44,8 +44,11 @@ class Defects final : public Observer {
     sph::SmoothingKernel kernel = context.kernel();
     kernel.smoothing_length = smoothing_length_ * scene.spacing;
     kernel.scale = 1.0;  // the weights are divided by their sum
-    const DirectorGrid grid(scene, particles.positions<2>(), particles.values("order_tensor", 0),
-                            particles.values("order_tensor", 1), kernel);
+    const auto q11 = particles.values("order_tensor", 0);
+    const auto q12 = particles.values("order_tensor", 1);
+    std::vector<OrderTensor> values(particles.count());
+    for (std::size_t i = 0; i < values.size(); ++i) values[i] = {q11[i], q12[i]};
+    const DirectorGrid grid(scene, particles.positions<2>(), values, kernel);
     double plus = 0.0;
     double minus = 0.0;
     std::vector<double> rows;

@@ -23,42 +23,47 @@ struct Bilinear {
 /// How far (s, t) lies outside the unit square.
 double distance_outside(double s, double t) { return std::max({0.0, -s, s - 1.0, -t, t - 1.0}); }
 
+/// Mean of the values around a place. Where no particle is near, it looks for some farther out, with a wider kernel.
+template <class Kernel>
+OrderTensor mean_around(const std::array<double, 2>& place, const PeriodicCells<2>& cells, const Kernel& kernel,
+                        double radius, const std::vector<OrderTensor>& values) {
+  double weights = 0.0;
+  OrderTensor sum;
+  for (double widening = 1.0; weights <= 0.0 && !values.empty(); widening *= 2.0) {
+    cells.within(place, widening * radius, [&](Index j, const auto&, double square) {
+      const double weight = kernel.value(std::sqrt(square) / widening);
+      const OrderTensor& value = values[static_cast<std::size_t>(j)];
+      weights += weight;
+      sum.q11 += weight * value.q11;
+      sum.q12 += weight * value.q12;
+    });
+  }
+  return {sum.q11 / weights, sum.q12 / weights};
+}
+
 }  // namespace
 
 DirectorGrid::DirectorGrid(const Scene& scene, const std::vector<std::array<double, 2>>& points,
-                           const std::vector<double>& q11, const std::vector<double>& q12,
-                           const sph::SmoothingKernel& kernel) {
+                           const std::vector<OrderTensor>& values, const sph::SmoothingKernel& kernel) {
   for (std::size_t d = 0; d < 2; ++d) {
     nodes_[d] = std::max(3, static_cast<int>(std::lround(scene.box[d] / scene.spacing)));
     width_[d] = scene.box[d] / nodes_[d];
   }
-  const int count = nodes_[0] * nodes_[1];
-  tensor_.resize(static_cast<std::size_t>(count));
+  tensor_.resize(static_cast<std::size_t>(nodes_[0]) * static_cast<std::size_t>(nodes_[1]));
   const PeriodicCells<2> cells(scene.box, points, kernel.radius() / 3.0);
-  sph::with_kernel_function<double>(kernel, [&](const auto& weight) {
+  sph::with_kernel_function<double>(kernel, [&](const auto& function) {
 #pragma omp parallel for schedule(static)
-    for (int n = 0; n < count; ++n) {
-      const std::array<double, 2> place{n % nodes_[0] * width_[0], n / nodes_[0] * width_[1]};
-      double weights = 0.0;
-      Tensor sum;
-      // Where no particle is near, look for some farther out, with a wider kernel.
-      for (double widening = 1.0; weights <= 0.0 && !points.empty(); widening *= 2.0) {
-        cells.within(place, widening * kernel.radius(), [&](Index j, const auto&, double square) {
-          const double w = weight.value(std::sqrt(square) / widening);
-          weights += w;
-          sum.q11 += w * q11[static_cast<std::size_t>(j)];
-          sum.q12 += w * q12[static_cast<std::size_t>(j)];
-        });
-      }
-      tensor_[static_cast<std::size_t>(n)] = {sum.q11 / weights, sum.q12 / weights};
+    for (int j = 0; j < nodes_[1]; ++j) {
+      for (int i = 0; i < nodes_[0]; ++i)
+        tensor_[node(i, j)] = mean_around({i * width_[0], j * width_[1]}, cells, function, kernel.radius(), values);
     }
   });
 }
 
 std::size_t DirectorGrid::node(int i, int j) const {
-  const int x = (i + nodes_[0]) % nodes_[0];
-  const int y = (j + nodes_[1]) % nodes_[1];
-  return static_cast<std::size_t>(y * nodes_[0] + x);
+  const auto x = static_cast<std::size_t>((i + nodes_[0]) % nodes_[0]);
+  const auto y = static_cast<std::size_t>((j + nodes_[1]) % nodes_[1]);
+  return y * static_cast<std::size_t>(nodes_[0]) + x;
 }
 
 std::vector<Defect> DirectorGrid::defects() const {
@@ -97,10 +102,10 @@ std::vector<Defect> DirectorGrid::defects() const {
 }
 
 std::array<double, 2> DirectorGrid::zero(int i, int j) const {
-  const Tensor& q00 = tensor_[node(i, j)];
-  const Tensor& q10 = tensor_[node(i + 1, j)];
-  const Tensor& q01 = tensor_[node(i, j + 1)];
-  const Tensor& q11 = tensor_[node(i + 1, j + 1)];
+  const OrderTensor& q00 = tensor_[node(i, j)];
+  const OrderTensor& q10 = tensor_[node(i + 1, j)];
+  const OrderTensor& q01 = tensor_[node(i, j + 1)];
+  const OrderTensor& q11 = tensor_[node(i + 1, j + 1)];
   const Bilinear f(q00.q11, q10.q11, q01.q11, q11.q11);
   const Bilinear g(q00.q12, q10.q12, q01.q12, q11.q12);
   // s = -(f.a + f.c t) / (f.b + f.d t) put into g = 0 leaves a quadratic equation for t.
@@ -126,14 +131,14 @@ std::array<double, 2> DirectorGrid::zero(int i, int j) const {
 }
 
 double DirectorGrid::orientation(int i, int j, double charge) const {
-  Tensor by_x;
-  Tensor by_y;
+  OrderTensor by_x;
+  OrderTensor by_y;
   for (int b = -1; b <= 1; ++b) {
     for (int a = -1; a <= 1; ++a) {
-      const Tensor& q00 = tensor_[node(i + a, j + b)];
-      const Tensor& q10 = tensor_[node(i + a + 1, j + b)];
-      const Tensor& q01 = tensor_[node(i + a, j + b + 1)];
-      const Tensor& q11 = tensor_[node(i + a + 1, j + b + 1)];
+      const OrderTensor& q00 = tensor_[node(i + a, j + b)];
+      const OrderTensor& q10 = tensor_[node(i + a + 1, j + b)];
+      const OrderTensor& q01 = tensor_[node(i + a, j + b + 1)];
+      const OrderTensor& q11 = tensor_[node(i + a + 1, j + b + 1)];
       by_x.q11 += (q10.q11 + q11.q11 - q00.q11 - q01.q11) / width_[0];
       by_x.q12 += (q10.q12 + q11.q12 - q00.q12 - q01.q12) / width_[0];
       by_y.q11 += (q01.q11 + q11.q11 - q00.q11 - q10.q11) / width_[1];
@@ -147,6 +152,7 @@ double DirectorGrid::orientation(int i, int j, double charge) const {
 std::vector<Defect> without_close_pairs(const std::vector<Defect>& defects, const std::array<double, 3>& box,
                                         double distance) {
   std::vector<std::array<double, 2>> points;
+  points.reserve(defects.size());
   for (const auto& defect : defects) points.push_back(defect.position);
   const PeriodicCells<2> cells(box, points, distance);
   std::vector<std::tuple<double, std::size_t, std::size_t>> pairs;  // distance squared, +1/2, -1/2

@@ -15,15 +15,20 @@ struct Defect {
   double orientation = 0.0;          ///< rad; see DirectorGrid::orientation
 };
 
+struct OrderTensor {
+  double q11 = 0.0;
+  double q12 = 0.0;
+};
+
 /// The order tensor on a regular periodic grid, and the defects of its director.
 ///
 /// The grid has as many nodes along each axis as spacings fit. The value at a node is the mean of the particles around
 /// it, weighted by a kernel: Q(x) = sum_j W(x - x_j) Q_j / sum_j W(x - x_j) (Shepard 1968).
 class DirectorGrid {
  public:
-  /// `points`, `q11`, `q12`: by particle id. `kernel`: the weights.
-  DirectorGrid(const Scene& scene, const std::vector<std::array<double, 2>>& points, const std::vector<double>& q11,
-               const std::vector<double>& q12, const sph::SmoothingKernel& kernel);
+  /// `points`, `values`: by particle id. `kernel`: the weights.
+  DirectorGrid(const Scene& scene, const std::vector<std::array<double, 2>>& points,
+               const std::vector<OrderTensor>& values, const sph::SmoothingKernel& kernel);
 
   /// One for each plaquette (square of four nodes) around which the director turns by half a turn. The turn along an
   /// edge is taken the short way, and the two plaquettes beside it count the same number with opposite signs: so the
@@ -31,11 +36,6 @@ class DirectorGrid {
   [[nodiscard]] std::vector<Defect> defects() const;
 
  private:
-  struct Tensor {
-    double q11 = 0.0;
-    double q12 = 0.0;
-  };
-
   [[nodiscard]] std::size_t node(int i, int j) const;
   /// Where Q, interpolated bilinearly in plaquette (i, j), is zero: (s, t), each in [0, 1].
   [[nodiscard]] std::array<double, 2> zero(int i, int j) const;
@@ -50,7 +50,7 @@ class DirectorGrid {
 
   std::array<int, 2> nodes_{};
   std::array<double, 2> width_{};  // distance of nodes, m
-  std::vector<Tensor> tensor_;
+  std::vector<OrderTensor> tensor_;
 };
 
 /// Without pairs of opposite charges closer than `distance`, m: closest pairs first. The total charge stays as it is.

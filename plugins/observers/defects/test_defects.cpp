@@ -30,8 +30,8 @@ struct Director {
   [[nodiscard]] double angle(double x, double y, std::size_t except = 99) const {
     double theta = background;
     for (std::size_t n = 0; n < defects.size(); ++n) {
-      for (int b = -12; b <= 12; ++b) {
-        for (int a = -12; a <= 12; ++a) {
+      for (int b = -6; b <= 6; ++b) {
+        for (int a = -6; a <= 6; ++a) {
           if (n == except && a == 0 && b == 0) continue;
           theta += defects[n].charge * std::atan2(y - defects[n].y + b * length_y, x - defects[n].x + a * length_x);
         }

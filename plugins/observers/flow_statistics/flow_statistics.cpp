@@ -114,17 +114,18 @@ class FlowStatistics final : public Observer {
       sample.set("divergence_rms", none);
       return;
     }
-    const int dimension = context.scene().dimension;
-    std::vector<std::vector<double>> slope;  // du_c/dx_d as c * dimension + d
-    for (int c = 0; c < dimension * dimension; ++c) slope.push_back(particles.values("velocity_gradient", c));
-    const auto at = [&](int c, int d, std::size_t i) { return slope[static_cast<std::size_t>(c * dimension + d)][i]; };
+    const auto dimension = static_cast<std::size_t>(context.scene().dimension);
+    std::vector<std::vector<double>> slope(dimension * dimension);  // du_c/dx_d as c * dimension + d
+    for (std::size_t c = 0; c < slope.size(); ++c)
+      slope[c] = particles.values("velocity_gradient", static_cast<int>(c));
+    const auto at = [&](std::size_t c, std::size_t d, std::size_t i) { return slope[c * dimension + d][i]; };
     exec::CompensatedSum vorticity;
     exec::CompensatedSum divergence;
     for (std::size_t i = 0; i < particles.count(); ++i) {
       double trace = 0.0;
-      for (int c = 0; c < dimension; ++c) {
+      for (std::size_t c = 0; c < dimension; ++c) {
         trace += at(c, c, i);
-        for (int d = 0; d < c; ++d) vorticity.add(std::pow(at(c, d, i) - at(d, c, i), 2));
+        for (std::size_t d = 0; d < c; ++d) vorticity.add(std::pow(at(c, d, i) - at(d, c, i), 2));
       }
       divergence.add(trace * trace);
     }

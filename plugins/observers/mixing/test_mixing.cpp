@@ -74,8 +74,8 @@ TEST(Mixing, FormulaByHand) {
   // Four cells of 100 particles with 50, 25, 25 and 0 of colour 1: p = 1/4, s = 1/32, s0 = 3/16, sr = s0 3/399.
   FakeObserverContext context(20, 20, 1.0, 1.0);
   std::vector<double> colour(400, 0.0);
-  const auto fill = [&](int x0, int y0, int count) {
-    for (int n = 0; n < count; ++n) colour[static_cast<std::size_t>((y0 + n / 10) * 20 + x0 + n % 10)] = 1.0;
+  const auto fill = [&](std::size_t x0, std::size_t y0, std::size_t count) {
+    for (std::size_t n = 0; n < count; ++n) colour[(y0 + n / 10) * 20 + x0 + n % 10] = 1.0;
   };
   fill(0, 0, 50);
   fill(10, 0, 25);

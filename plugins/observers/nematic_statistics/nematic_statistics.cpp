@@ -55,7 +55,7 @@ class NematicStatistics final : public Observer {
       sum12.add(q12[i]);
     }
     double angle = 0.5 * std::atan2(sum12.value(), sum11.value());
-    if (angle <= -0.5 * std::numbers::pi) angle = 0.5 * std::numbers::pi;  // atan2(-0.0, -1) is -pi
+    if (angle <= -0.5 * std::numbers::pi) angle = 0.5 * std::numbers::pi;  // rounded: atan2(-1e-30, -1)
     sample.set("mean_order", order.value() / static_cast<double>(particles.count()));
     sample.set("minimum_order", smallest);
     sample.set("mean_director_angle", angle);

@@ -74,7 +74,7 @@ TEST(NematicStatistics, MeanDirectorIsThatOfTheMeanTensor) {
 
 TEST(NematicStatistics, MeanDirectorAngleIsAboveMinusHalfPi) {
   auto context = uniform(1.0, 0.0);
-  context.set("order_tensor", {[](double, double) { return -1.0; }, [](double, double) { return -0.0; }});
+  context.set("order_tensor", {[](double, double) { return -1.0; }, [](double, double) { return -1e-30; }});
   EXPECT_DOUBLE_EQ(value(context, "mean_director_angle"), pi / 2);
   EXPECT_NEAR(value(uniform(1.0, -1.5), "mean_director_angle"), -1.5, 1e-14);
 }

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <set>
@@ -96,10 +97,13 @@ TEST(Pathlines, EvenChoiceIsSpreadOverTheBox) {
   observer.start(context);
   const auto values = observer.sample(context);
   EXPECT_EQ((std::set<double>(values.at("id").begin(), values.at("id").end()).size()), 24U);
-  int per_quarter[4] = {};
-  for (std::size_t i = 0; i < 24; ++i)
-    ++per_quarter[(values.at("path")[2 * i] < 1.0 ? 0 : 1) + (values.at("path")[2 * i + 1] < 0.5 ? 0 : 2)];
-  for (const int count : per_quarter) EXPECT_NEAR(count, 6, 1);
+  int per_square[8] = {};  // of half a metre
+  for (std::size_t i = 0; i < 24; ++i) {
+    const int column = static_cast<int>(values.at("path")[2 * i] / 0.5);
+    const int row = static_cast<int>(values.at("path")[2 * i + 1] / 0.5);
+    ++per_square[std::clamp(4 * row + column, 0, 7)];
+  }
+  for (const int count : per_square) EXPECT_NEAR(count, 3, 1);
 }
 
 TEST(Pathlines, EveryParticleCanBeChosen) {
