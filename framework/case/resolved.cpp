@@ -17,7 +17,10 @@ void fill(Value& tree, const std::string& path, const ParameterList& list, const
 
 }  // namespace
 
-ResolvedCase::ResolvedCase(const Case& source) : tree_(std::make_unique<Value>(*source.tree)) {
+// A file that cannot be read leaves a case without a tree; its problems are reported later, with those of its plugins.
+ResolvedCase::ResolvedCase(const Case& source)
+    : tree_(source.tree ? std::make_unique<Value>(*source.tree)
+                        : std::make_unique<Value>(Value::Table{}, SourcePlace{source.file})) {
   Case copy = source;
   std::string precision = copy.run.precision == Precision::single_precision ? "single" : "double";
   fill(*tree_, "domain", case_keys::domain(copy.domain));
