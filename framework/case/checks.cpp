@@ -79,7 +79,7 @@ class Checker {
 
   void device() {
     if (case_.run.device == "cuda")
-      refuse("run.device", "must be \"cpu\", but is \"cuda\": running on CUDA devices is not built so far");
+      refuse("run.device", R"(must be "cpu", but is "cuda": running on CUDA devices is not built so far)");
   }
 
  private:

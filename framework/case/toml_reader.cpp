@@ -32,7 +32,7 @@ class Converter {
   }
 
  private:
-  using Content = decltype(Value::content);
+  using Content = Value::Content;
 
   static Content content(const toml::value<bool>& node) { return node.get(); }
   static Content content(const toml::value<std::int64_t>& node) { return node.get(); }

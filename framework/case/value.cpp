@@ -1,6 +1,7 @@
 #include "case/value.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace mesogen {
 
@@ -15,6 +16,14 @@ std::string_view next_key(std::string_view& path) {
 }
 
 }  // namespace
+
+Value::Value() : content(false) {}
+Value::Value(Content initial, SourcePlace at) : content(std::move(initial)), place(std::move(at)) {}
+Value::Value(const Value& other) = default;
+Value::Value(Value&& other) noexcept = default;
+Value& Value::operator=(const Value& other) = default;
+Value& Value::operator=(Value&& other) noexcept = default;
+Value::~Value() = default;
 
 const Value* Value::find(std::string_view key) const {
   const auto* const table = as<Table>();

@@ -21,8 +21,19 @@ struct MESOGEN_EXPORT Value {
   using List = std::vector<Value>;
   using Table = std::vector<Entry>;
 
-  std::variant<bool, std::int64_t, double, std::string, Date, List, Table> content = false;
+  using Content = std::variant<bool, std::int64_t, double, std::string, Date, List, Table>;
+
+  Content content;
   SourcePlace place;
+
+  // defined where Entry is complete
+  Value();
+  Value(Content initial, SourcePlace at);
+  Value(const Value& other);
+  Value(Value&& other) noexcept;
+  Value& operator=(const Value& other);
+  Value& operator=(Value&& other) noexcept;
+  ~Value();
 
   template <class Type>
   [[nodiscard]] const Type* as() const {
