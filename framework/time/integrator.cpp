@@ -2,10 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace mesogen {
 
 namespace {
+
+constexpr double most = std::numeric_limits<double>::max();
 
 // Largest squared length of a vector; infinite if a component is not a number.
 template <class T>
@@ -18,7 +21,7 @@ double largest_square(const FieldView<T>& field, int components, Index count) {
       const auto value = static_cast<double>(field(c, i));
       square += value * value;
     }
-    largest = std::max(largest, std::isfinite(square) ? square : HUGE_VAL);
+    largest = square <= most ? std::max(largest, square) : HUGE_VAL;
   }
   return largest;
 }
@@ -43,31 +46,48 @@ Integrator::Integrator(World& world, const Catalogue& catalogue, const std::stri
   if (!shift.empty()) shift_ = &world.fields.at(shift);
 }
 
-template <class Real>
-void Integrator::advance(const Advanced& one, double by) {
+template <class Real, int Components>
+Integrator::Largest Integrator::advance(const Advanced& one, double by) {
   const Index count = world_.particles.count();
-  const FieldView<double> master = one.field->master();
-  const FieldView<Real> seen = one.field->view<Real>();
+  const FieldView<double> exact = one.field->master();
+  const FieldView<Real> rounded = one.field->view<Real>();
   const FieldView<Real> rate = one.rate->view<Real>();
-  for (int c = 0; c < one.field->components(); ++c) {
-    double* const exact = master.component(c);
-    Real* const rounded = seen.component(c);
-    const Real* const slope = rate.component(c);
-#pragma omp parallel for schedule(static)
-    for (Index i = 0; i < count; ++i) {
-      exact[i] += by * static_cast<double>(slope[i]);
-      rounded[i] = static_cast<Real>(exact[i]);
+  double largest_value = 0.0;
+  double largest_rate = 0.0;
+#pragma omp parallel for schedule(static) reduction(max : largest_value, largest_rate)
+  for (Index i = 0; i < count; ++i) {
+    double value_square = 0.0;
+    double rate_square = 0.0;
+    for (int c = 0; c < Components; ++c) {
+      const auto slope = static_cast<double>(rate(c, i));
+      const double value = exact(c, i) + by * slope;
+      exact(c, i) = value;
+      rounded(c, i) = static_cast<Real>(value);
+      value_square += value * value;
+      rate_square += slope * slope;
     }
+    // A comparison with NaN is false: what is not a number counts as infinite.
+    largest_value = value_square <= most ? std::max(largest_value, value_square) : HUGE_VAL;
+    largest_rate = rate_square <= most ? std::max(largest_rate, rate_square) : HUGE_VAL;
   }
   ++one.field->version;
+  return {std::sqrt(largest_value), std::sqrt(largest_rate)};
 }
 
-void Integrator::advance(const Advanced& one, double by) {
-  if (world_.single()) {
-    advance<float>(one, by);
-  } else {
-    advance<double>(one, by);
+template <class Real>
+Integrator::Largest Integrator::advance(const Advanced& one, double by) {
+  switch (one.field->components()) {
+    case 1: return advance<Real, 1>(one, by);
+    case 2: return advance<Real, 2>(one, by);
+    case 3: return advance<Real, 3>(one, by);
+    case 4: return advance<Real, 4>(one, by);
+    case 5: return advance<Real, 5>(one, by);
+    default: return advance<Real, 9>(one, by);
   }
+}
+
+Integrator::Largest Integrator::advance(const Advanced& one, double by) {
+  return world_.single() ? advance<float>(one, by) : advance<double>(one, by);
 }
 
 template <class Real>
@@ -102,14 +122,14 @@ void Integrator::predict(double step_size) {
 }
 
 Motion Integrator::correct(double step_size) {
-  for (const Advanced& one : advanced_) advance(one, one.predicted ? step_size / 2.0 : step_size);
   Motion motion;
-  motion.largest_acceleration = largest_acceleration();
-  motion.fastest = fastest();
-  for (const Advanced& one : advanced_)
-    if (one.field != velocity_ && !std::isfinite(largest_length(one.field, world_.particles.count())))
-      motion.finite = false;
-  motion.finite = motion.finite && std::isfinite(motion.fastest) && std::isfinite(motion.largest_acceleration);
+  for (const Advanced& one : advanced_) {
+    const Largest largest = advance(one, one.predicted ? step_size / 2.0 : step_size);
+    motion.finite = motion.finite && std::isfinite(largest.value) && std::isfinite(largest.rate);
+    if (one.field != velocity_) continue;
+    motion.fastest = largest.value;
+    motion.largest_acceleration = largest.rate;
+  }
   if (motion.finite) move(step_size / 2.0, step_size);
   return motion;
 }

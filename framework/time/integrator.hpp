@@ -50,9 +50,15 @@ class MESOGEN_EXPORT Integrator {
     Field* rate;
     bool predicted;
   };
+  struct Largest {
+    double value;  // length of the advanced vector; infinite if something is not a number
+    double rate;
+  };
+  template <class Real, int Components>
+  Largest advance(const Advanced& one, double by);
   template <class Real>
-  void advance(const Advanced& one, double by);
-  void advance(const Advanced& one, double by);
+  Largest advance(const Advanced& one, double by);
+  Largest advance(const Advanced& one, double by);
   template <class Real>
   void move(double by, double shift_by);
   void move(double by, double shift_by);
