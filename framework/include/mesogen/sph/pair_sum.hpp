@@ -182,27 +182,31 @@ void pair_sums_of_cell(const Neighbours<Real, Dim>& neighbours, const Kernel& ke
 
 #endif
 
-/// Runs a pass over every particle of the box. The order of summation is the order of storage: results do not depend
-/// on the number of threads.
+/// Runs a pass with one kernel function over every particle of the box. The order of summation is the order of storage:
+/// results do not depend on the number of threads.
+template <class Real, int Dim, class Kernel, class Pass>
+void pair_sum_with(const exec::Space& space, const Neighbours<Real, Dim>& neighbours, const Kernel& function,
+                   const Pass& pass) {
+#ifdef __CUDACC__
+  exec::for_each(space, neighbours.particle_count,
+                 PairSumOfParticle<Real, Dim, Kernel, Pass>{neighbours, function, pass});
+#else
+  (void)space;
+  const int cells = neighbours.cell_count();
+#pragma omp parallel
+  {
+    NeighbourBlocks<Real, Dim, static_cast<int>(exec::Pack<Real>::size())> seen(neighbours.radius);
+#pragma omp for schedule(static)
+    for (int cell = 0; cell < cells; ++cell) pair_sums_of_cell(neighbours, function, pass, cell, seen);
+  }
+#endif
+}
+
+/// The same with the kernel of the run: the one choice made at run time.
 template <class Real, int Dim, class Pass>
 void pair_sum(const exec::Space& space, const Neighbours<Real, Dim>& neighbours, const SmoothingKernel& kernel,
               const Pass& pass) {
-  with_kernel_function<Real>(kernel, [&](const auto& function) {
-#ifdef __CUDACC__
-    using Kernel = std::decay_t<decltype(function)>;
-    exec::for_each(space, neighbours.particle_count,
-                   PairSumOfParticle<Real, Dim, Kernel, Pass>{neighbours, function, pass});
-#else
-    (void)space;
-    const int cells = neighbours.cell_count();
-#pragma omp parallel
-    {
-      NeighbourBlocks<Real, Dim, static_cast<int>(exec::Pack<Real>::size())> seen(neighbours.radius);
-#pragma omp for schedule(static)
-      for (int cell = 0; cell < cells; ++cell) pair_sums_of_cell(neighbours, function, pass, cell, seen);
-    }
-#endif
-  });
+  with_kernel_function<Real>(kernel, [&](const auto& function) { pair_sum_with(space, neighbours, function, pass); });
 }
 
 }  // namespace mesogen::sph
