@@ -75,8 +75,7 @@ template <class T>
 std::map<std::string, std::vector<T>> read_arrays(const hdf5::Id& file, const std::string& name) {
   const hdf5::Id group = hdf5::open_group(file, name);
   std::map<std::string, std::vector<T>> arrays;
-  for (const std::string& key : hdf5::names(group))
-    arrays[key] = hdf5::read<T>(hdf5::open_dataset(group, key), name + "/" + key);
+  for (const std::string& key : hdf5::names(group)) arrays[key] = hdf5::read<T>(hdf5::open_dataset(group, key), key);
   return arrays;
 }
 

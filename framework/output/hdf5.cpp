@@ -32,7 +32,7 @@ Id access_list() {
   check(H5Pset_libver_bounds(list.get(), H5F_LIBVER_EARLIEST, H5F_LIBVER_V110), "choose a file format");
 #if H5_VERSION_GE(1, 10, 7)
   // No file is changed while others may read it, and file systems without locks exist.
-  check(H5Pset_file_locking(list.get(), 0, 1), "turn off file locks");
+  check(H5Pset_file_locking(list.get(), false, true), "turn off file locks");
 #endif
   return list;
 }
@@ -40,7 +40,7 @@ Id access_list() {
 /// Times of creation would make equal runs differ.
 Id creation_list(hid_t kind) {
   Id list = property_list(kind);
-  check(H5Pset_obj_track_times(list.get(), 0), "turn off time stamps");
+  check(H5Pset_obj_track_times(list.get(), false), "turn off time stamps");
   return list;
 }
 
@@ -62,7 +62,7 @@ std::string take_text(const Id& type, const Id& space, const std::string& name, 
   char* text = nullptr;
   const Id memory = text_type();
   check(read(memory.get(), &text), "read " + name);
-  const std::string result = text == nullptr ? std::string() : std::string(text);
+  std::string result = text == nullptr ? std::string() : std::string(text);
   H5free_memory(text);
   return result;
 }
@@ -94,7 +94,7 @@ void Id::close() {
 Id create_in_memory() {
   const Id access = access_list();
   constexpr std::size_t growth = std::size_t{1} << 20;
-  check(H5Pset_fapl_core(access.get(), growth, 0), "use memory as a file");
+  check(H5Pset_fapl_core(access.get(), growth, false), "use memory as a file");
   return {H5Fcreate("memory", H5F_ACC_TRUNC, file_creation_list().get(), access.get()), H5Fclose,
           "make a file in memory"};
 }
@@ -119,7 +119,7 @@ Id open_file(const std::filesystem::path& path) {
 
 Id open_image(std::span<const std::byte> bytes) {
   const Id access = access_list();
-  check(H5Pset_fapl_core(access.get(), std::size_t{1} << 20, 0), "use memory as a file");
+  check(H5Pset_fapl_core(access.get(), std::size_t{1} << 20, false), "use memory as a file");
   // HDF5 copies what it is given, but asks for a pointer that it might change.
   std::vector<std::byte> copy(bytes.begin(), bytes.end());
   check(H5Pset_file_image(access.get(), copy.data(), copy.size()), "use memory as a file");

@@ -88,7 +88,7 @@ void write_observer(const Id& observables, const std::string& name, const Observ
 /// A dataset whose frames are those of other files, named relative to results.h5.
 Id create_view(const Id& element, const FieldShape& field, const hdf5::Dimensions& sizes) {
   const Id list(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, "set up a view");
-  hdf5::check(H5Pset_obj_track_times(list.get(), 0), "set up a view");
+  hdf5::check(H5Pset_obj_track_times(list.get(), false), "set up a view");
   constexpr double missing = std::numeric_limits<double>::quiet_NaN();
   hdf5::check(H5Pset_fill_value(list.get(), H5T_NATIVE_DOUBLE, &missing), "set up a view");
   const Id source = hdf5::dataspace({sizes.begin() + 1, sizes.end()});

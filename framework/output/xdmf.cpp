@@ -67,6 +67,7 @@ std::string grid(const ResultsOptions& options, const ResultsContent& content, s
 
 std::string xdmf_text(const ResultsOptions& options, const ResultsContent& content) {
   std::string text = R"(<?xml version="1.0"?>
+<!-- In ParaView choose "XDMF Reader"; its "Xdmf3 Reader" does not read hyperslabs. -->
 <Xdmf Version="3.0">
   <Domain>
     <Grid Name="run" GridType="Collection" CollectionType="Temporal">

@@ -34,7 +34,7 @@ void run_to_the_end(const fs::path& folder) {
     writer.flush();
     Checkpoint checkpoint;
     checkpoint.step = step;
-    checkpoint.numbers["position"].assign(3 * many, value_at(step, 0));
+    checkpoint.numbers["position"].assign(std::size_t{3} * many, value_at(step, 0));
     write_checkpoint(folder, checkpoint);
   }
   writer.finish();
@@ -72,7 +72,8 @@ void expect_unbroken_bytes(int kills_wanted) {
   while (kills < kills_wanted) {
     const fs::path folder = parent.path() / ("run" + std::to_string(runs++));
     // The later attempts are given more time, so that each run ends.
-    for (unsigned attempt = 1; !run_and_kill(folder, 500 + random() % (30000 * attempt)); ++attempt) {
+    for (unsigned attempt = 1;
+         !run_and_kill(folder, static_cast<unsigned>(500 + random() % (std::size_t{30000} * attempt))); ++attempt) {
       ++kills;
       if (!fs::exists(folder)) continue;
       EXPECT_EQ(stored_case(folder), "case");

@@ -18,7 +18,7 @@ std::vector<hsize_t> numbers_in(const std::string& text) {
 /// The dataset that a DataItem names is in results.h5, has these sizes and this precision.
 void expect_dataset(const Reader& reader, const Tree& item) {
   const std::string prefix = "results.h5:";
-  const std::string text = item.data();
+  const std::string& text = item.data();
   ASSERT_EQ(text.rfind(prefix, 0), 0U) << text;
   const Array array = reader.array(text.substr(prefix.size()));
   EXPECT_EQ(numbers_in(item.get<std::string>("<xmlattr>.Dimensions")), array.sizes) << text;
