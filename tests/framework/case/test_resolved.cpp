@@ -103,6 +103,16 @@ TEST(ResolvedCase, TurnsABoundaryWithKeysIntoATable) {
   EXPECT_NE(resolved.text().find("boundary = { type = \"periodic_ghosts\", slip = 0.25 }\n"), std::string::npos);
 }
 
+TEST(ResolvedCase, SurvivesCasesThatCouldNotBeRead) {
+  for (const char* const text : {"[time", "time = 3", "", "domain = 1\nkernel.smoothing_length.a = 2"}) {
+    Problems problems;
+    const Case read = read_case_text(text, "case.toml", {}, problems);
+    EXPECT_FALSE(problems.empty());
+    EXPECT_EQ(read.resolved_text, "");
+    EXPECT_NO_THROW((void)ResolvedCase(read).text());
+  }
+}
+
 TEST(ResolvedCase, QuotesTexts) {
   Problems problems;
   const Case read = read_case_text(changed("\"A case\"", R"("é \"q\" \\ \n \u0001")"), "case.toml", {}, problems);
