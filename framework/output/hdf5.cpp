@@ -108,13 +108,12 @@ std::vector<std::byte> image(const Id& file) {
   return bytes;
 }
 
-Id create_file(const std::filesystem::path& path) {
-  return {H5Fcreate(path.c_str(), H5F_ACC_TRUNC, file_creation_list().get(), access_list().get()), H5Fclose,
-          "create the file"};
-}
-
 Id open_file(const std::filesystem::path& path) {
   return {H5Fopen(path.c_str(), H5F_ACC_RDONLY, access_list().get()), H5Fclose, "open it as HDF5"};
+}
+
+Id open_to_write(const std::filesystem::path& path) {
+  return {H5Fopen(path.c_str(), H5F_ACC_RDWR, access_list().get()), H5Fclose, "open it as HDF5"};
 }
 
 Id open_image(std::span<const std::byte> bytes) {

@@ -63,8 +63,8 @@ hid_t stored_type() {
 // Files. A file made in memory is written by write_file(), so a full disk never meets HDF5.
 Id create_in_memory();
 std::vector<std::byte> image(const Id& file);
-Id create_file(const std::filesystem::path& path);
 Id open_file(const std::filesystem::path& path);
+Id open_to_write(const std::filesystem::path& path);
 Id open_image(std::span<const std::byte> bytes);
 
 // Groups and names.

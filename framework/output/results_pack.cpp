@@ -1,6 +1,6 @@
 #include <unistd.h>
 
-#include <cerrno>
+#include <cstdint>
 
 #include "mesogen/diagnostics/error.hpp"
 #include "output/frame_file.hpp"
@@ -42,30 +42,37 @@ void fill(const Id& file, const ResultsOptions& options, const ResultsContent& c
   }
 }
 
+/// What the packed file can have at most, bytes.
+std::uint64_t largest_size(const ResultsOptions& options, const ResultsContent& content) {
+  const Id structure = hdf5::create_in_memory();
+  write_structure(structure, options, content, Layout::views);
+  constexpr std::uint64_t spare = std::uint64_t{1} << 16;  // for how HDF5 groups what it stores
+  std::uint64_t size = hdf5::image(structure).size() + spare;
+  for (const FieldShape& field : content.fields) {
+    std::uint64_t bytes = field.single ? sizeof(float) : sizeof(double);
+    for (const hsize_t n : value_dimensions(field, content.frames.size(), static_cast<std::size_t>(options.count)))
+      bytes *= n;
+    size += bytes;
+  }
+  return size;
+}
+
 }  // namespace
 
 void pack(const ResultsOptions& options, const ResultsContent& content) {
   const std::filesystem::path path = options.folder / "results.h5";
-  const std::filesystem::path temporary = temporary_name(path);
-  const auto explain = [&](const hdf5::Failure& failure) {
-    return Error(ExitCode::run_failed, "cannot pack the results into " + path.string() + ": " + failure.what() +
-                                           "; all frames are safe and readable as they are: mend this, then "
-                                           "`mesogen resume` packs them");
-  };
   try {
-    Id file = hdf5::create_file(temporary);
-    try {
-      write_structure(file, options, content, Layout::packed);
-      fill(file, options, content);
-      file.close();
-    } catch (...) {
-      // HDF5 cannot close a file that it cannot complete; without its values there is room to.
-      (void)!::truncate(temporary.c_str(), 0);
-      throw;
-    }
+    // HDF5 cannot even close a file that it has no room to complete, so the room is taken before it begins.
+    write_unfinished(path, hdf5::image(hdf5::create_in_memory()), largest_size(options, content));
+    hdf5::Id file = hdf5::open_to_write(temporary_name(path));
+    write_structure(file, options, content, Layout::packed);
+    fill(file, options, content);
+    file.close();
   } catch (const hdf5::Failure& failure) {
-    ::unlink(temporary.c_str());
-    throw explain(failure);
+    ::unlink(temporary_name(path).c_str());
+    throw Error(ExitCode::run_failed, "cannot pack the results into " + path.string() + ": " + failure.what() +
+                                          "; all frames are safe and readable as they are: mend this, then "
+                                          "`mesogen resume` packs them");
   }
   put_in_place(path);
 }

@@ -65,16 +65,25 @@ void put_in_place(const std::filesystem::path& path) {
   sync_folder(path.parent_path());
 }
 
-void write_file(const std::filesystem::path& path, std::span<const std::byte> bytes) {
+void write_unfinished(const std::filesystem::path& path, std::span<const std::byte> begin, std::uint64_t size) {
   Descriptor file(temporary_name(path), O_WRONLY | O_CREAT | O_TRUNC);
   if (!file.is_open()) throw system_error(ExitCode::run_failed, "write", path, errno);
-  while (!bytes.empty()) {
-    const ssize_t written = ::write(file.get(), bytes.data(), bytes.size());
+  const std::size_t whole = begin.size();
+  while (!begin.empty()) {
+    const ssize_t written = ::write(file.get(), begin.data(), begin.size());
     if (written < 0 && errno == EINTR) continue;
     if (written < 0) give_up(path, errno);
-    bytes = bytes.subspan(static_cast<std::size_t>(written));
+    begin = begin.subspan(static_cast<std::size_t>(written));
+  }
+  if (size > whole) {
+    const int refused = ::posix_fallocate(file.get(), 0, static_cast<off_t>(size));
+    if (refused != 0) give_up(path, refused);
   }
   if (file.close() != 0) give_up(path, errno);
+}
+
+void write_file(const std::filesystem::path& path, std::span<const std::byte> bytes) {
+  write_unfinished(path, bytes, bytes.size());
   put_in_place(path);
 }
 

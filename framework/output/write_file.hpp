@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <span>
 #include <string>
@@ -22,6 +23,9 @@ std::filesystem::path temporary_name(const std::filesystem::path& path);
 /// Writes beside `path`, syncs, renames over it, syncs the folder. Throws Error(run_failed); `path` is then as before.
 MESOGEN_EXPORT void write_file(const std::filesystem::path& path, std::span<const std::byte> bytes);
 MESOGEN_EXPORT void write_file(const std::filesystem::path& path, const std::string& text);
+
+/// Begins a temporary file that somebody else completes, with room for `size` bytes on disk. Throws Error(run_failed).
+void write_unfinished(const std::filesystem::path& path, std::span<const std::byte> begin, std::uint64_t size);
 
 /// Syncs a complete temporary file and renames it over `path`. Throws Error(run_failed).
 void put_in_place(const std::filesystem::path& path);
