@@ -52,7 +52,7 @@ ExitCode list(const CaseOptions& options) {
 
 void add_field(CLI::App& command, Action& action) {
   auto* const field = command.add_subcommand("field", "Tell about the fields of a case");
-  field->require_subcommand(1);
+  field->require_subcommand(0, 1);
   const auto options = std::make_shared<CaseOptions>();
   auto* const verb =
       field->add_subcommand("list", "All fields of a case: rank, unit, who brings them, how they advance");

@@ -18,6 +18,13 @@ int tell(ExitCode code, const std::string& text) {
   return static_cast<int>(code);
 }
 
+/// No verb, or `plugin` and `field` without theirs: the help of what was given.
+ExitCode explain(const CLI::App& command) {
+  const auto given = command.get_subcommands();
+  fmt::print(stderr, "{}", (given.empty() ? command : *given.front()).help());
+  return ExitCode::bad_case;
+}
+
 }  // namespace
 
 int main(int count, char** arguments) {
@@ -26,7 +33,7 @@ int main(int count, char** arguments) {
     CLI::App command("Mesogen: active nematics by smoothed particle hydrodynamics", "mesogen");
     command.set_version_flag("--version", fmt::format("mesogen {} ({})", version(), build_text()));
     command.set_help_all_flag("--help-all", "Print the help of all verbs");
-    command.require_subcommand(1);
+    command.require_subcommand(0, 1);
     app::Action action;
     app::add_run(command, action);
     app::add_resume(command, action);
@@ -41,7 +48,7 @@ int main(int count, char** arguments) {
       const int result = command.exit(error, std::cout, std::cerr);
       return static_cast<int>(result == 0 ? ExitCode::done : ExitCode::bad_case);
     }
-    return static_cast<int>(action());
+    return static_cast<int>(action ? action() : explain(command));
   } catch (const Error& error) {
     return tell(error.code(), error.what());
   } catch (const std::bad_alloc&) {

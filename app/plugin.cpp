@@ -49,7 +49,7 @@ ExitCode info(const PluginFolders& folders, const std::string& name) {
 
 void add_plugin(CLI::App& command, Action& action) {
   auto* const plugin = command.add_subcommand("plugin", "Tell about plugins");
-  plugin->require_subcommand(1);
+  plugin->require_subcommand(0, 1);
 
   const auto folders = std::make_shared<PluginFolders>();
   auto* const list_verb = plugin->add_subcommand("list", "All plugins, by kind");

@@ -22,6 +22,8 @@ class Text {
   std::string text_;
 };
 
+std::string unit(const std::string& text) { return text == "1" ? "" : ", in " + text; }
+
 void describe(Text& text, const ParameterList& list, std::string_view where) {
   if (list.all().empty()) {
     text.line("parameters: none");
@@ -30,7 +32,7 @@ void describe(Text& text, const ParameterList& list, std::string_view where) {
   text.line("parameters, keys of {}:", where);
   for (const auto& parameter : list.all()) {
     std::string facts = parameter.type_text();
-    if (parameter.unit_text != "1") facts += ", in " + parameter.unit_text;
+    facts += unit(parameter.unit_text);
     if (const auto range = parameter.range_text(); !range.empty()) facts += ", " + range;
     facts += parameter.is_required ? ", required" : ", default " + parameter.value_text();
     text.line("  {:<24} {}", parameter.name, facts);
@@ -62,12 +64,12 @@ void describe(Text& text, Physics& physics) {
   if (!list.fields().empty()) text.line("fields:");
   for (const auto& field : list.fields()) {
     const std::string advanced = field.advance == Advance::never ? "" : ", advanced with " + field.rate;
-    text.line("  {:<24} {}, in {}{}", field.name, to_string(field.rank), field.unit_text, advanced);
+    text.line("  {:<24} {}{}{}", field.name, to_string(field.rank), unit(field.unit_text), advanced);
     if (!field.doc_text.empty()) text.line("  {:<24} {}", "", field.doc_text);
   }
   if (!list.passes().empty()) text.line("passes, with default parameters:");
   for (const auto& pass : list.passes()) {
-    text.line("  {:<24} phase {}", pass.name, to_text(pass.phase));
+    text.line("  {} (phase {})", pass.name, to_text(pass.phase));
     const auto fields = [&](std::string_view what, const std::vector<std::string>& names) {
       if (!names.empty()) text.line("    {}: {}", what, fmt::join(names, ", "));
     };
@@ -95,7 +97,7 @@ void describe(Text& text, Observer& observer) {
   text.line("quantities:");
   for (const auto& quantity : plan.quantities()) {
     const std::string form = quantity.columns == 0 ? "one number" : fmt::format("rows of {} numbers", quantity.columns);
-    text.line("  {:<24} {}, in {}", quantity.name, form, quantity.unit_text);
+    text.line("  {:<24} {}{}", quantity.name, form, unit(quantity.unit_text));
     if (!quantity.doc_text.empty()) text.line("  {:<24} {}", "", quantity.doc_text);
   }
 }

@@ -178,7 +178,9 @@ TEST(PluginRegistry, LoadsTheBestInstructionSetThatIsAllowed) {
   EXPECT_EQ(loaded("baseline"), "baseline");
   const auto sets = plugin::usable_instruction_sets();
   EXPECT_EQ(loaded(""), sets.empty() ? "baseline" : sets.front());
-  if (std::ranges::find(sets, "x86-64-v3") != sets.end()) EXPECT_EQ(loaded("x86-64-v3"), "x86-64-v3");
+  if (std::ranges::find(sets, "x86-64-v3") != sets.end()) {
+    EXPECT_EQ(loaded("x86-64-v3"), "x86-64-v3");
+  }
 }
 
 TEST(InstructionSets, AreCapped) {

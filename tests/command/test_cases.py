@@ -1,0 +1,143 @@
+"""run, check, graph and field list: right cases, wrong cases, output folders."""
+
+import os
+import unittest
+
+import h5py
+import numpy
+from support import CASE, PROJECT, CommandTest
+
+
+def final(folder, field):
+    with h5py.File(os.path.join(folder, "results.h5"), "r") as file:
+        return numpy.asarray(file[f"particles/fluid/{field}/value"][-1])
+
+
+class Runs(CommandTest):
+    def test_run_leaves_results(self):
+        out, err = self.mesogen("run", self.write_case(), "--output", "out")
+        self.assertEqual(out, "")
+        self.assertIn("256 particles", err)
+        self.assertIn("100 %", err)
+        with h5py.File(self.path("out", "results.h5"), "r") as file:
+            self.assertAlmostEqual(file["particles/fluid/velocity/time"][-1], 0.1)
+            self.assertEqual(file["particles/fluid/velocity/value"].shape[1:], (256, 2))
+            self.assertEqual(len(file["observables/flow/v_rms/time"]), 3)
+        self.assertTrue(os.path.exists(self.path("out", "results.xdmf")))
+
+    def test_quiet_says_nothing(self):
+        self.assertEqual(self.mesogen("run", self.write_case(), "--output", "out", "--quiet"), ("", ""))
+
+    def test_threads_do_not_change_a_bit(self):
+        case = self.write_case()
+        for threads in ("1", "3"):
+            self.mesogen("run", case, "--output", threads, "--threads", threads)
+        for field in ("position", "velocity", "order_tensor"):
+            self.assertTrue(numpy.array_equal(final(self.path("1"), field), final(self.path("3"), field)), field)
+
+    def test_default_folder_is_named_like_the_case(self):
+        os.mkdir(self.path("study"))
+        self.mesogen("run", self.write_case(name="study/case.toml"))
+        self.assertTrue(os.path.exists(self.path("output", "study", "results.h5")))
+        self.mesogen("run", self.write_case(name="study/coarse.toml"))
+        self.assertTrue(os.path.exists(self.path("output", "coarse", "results.h5")))
+
+    def test_set_changes_a_key(self):
+        self.mesogen("run", self.write_case(), "--output", "out", "--set", "time.end=0.02", "--set",
+                     "output.interval=0.02")
+        with h5py.File(self.path("out", "results.h5"), "r") as file:
+            self.assertAlmostEqual(file["particles/fluid/velocity/time"][-1], 0.02)
+
+    def test_folder_that_holds_a_run_is_refused(self):
+        case = self.write_case()
+        self.mesogen("run", case, "--output", "out")
+        before = os.stat(self.path("out", "results.h5")).st_mtime_ns
+        _, err = self.mesogen("run", case, "--output", "out", code=2)
+        self.assertIn("already holds a run", err)
+        self.assertIn("--overwrite", err)
+        self.assertEqual(os.stat(self.path("out", "results.h5")).st_mtime_ns, before)
+        self.mesogen("run", case, "--output", "out", "--overwrite")
+        self.assertGreater(os.stat(self.path("out", "results.h5")).st_mtime_ns, before)
+
+    def test_profile_names_the_passes(self):
+        _, err = self.mesogen("run", self.write_case(), "--output", "out", "--profile")
+        self.assertRegex(err, r"\d+\.\d+ % .* physics\.activity: ")
+
+    def test_kernel_and_boundary_are_one_word(self):
+        for kernel in ("quintic", "wendland_c2", "wendland_c4", "wendland_c6"):
+            for boundary in ("periodic_ghosts", "periodic_wrap"):
+                case = self.write_case(CASE.replace("quintic", kernel).replace("periodic_ghosts", boundary))
+                self.mesogen("run", case, "--output", f"{kernel}-{boundary}", "--set", "time.end=0.02")
+
+
+class WrongCases(CommandTest):
+    def refused(self, text, *expected):
+        _, err = self.mesogen("run", self.write_case(text), "--output", "out", code=2)
+        for part in expected:
+            self.assertIn(part, err)
+        self.assertRegex(err, r"case\.toml:\d+")
+        self.assertFalse(os.path.exists(self.path("out")), "something was written")
+
+    def test_unknown_kernel(self):
+        self.refused(CASE.replace('"quintic"', '"quintik"'), "kernel.type", 'did you mean "quintic"?')
+
+    def test_support_beyond_half_the_box(self):
+        self.refused(CASE.replace("1.3333", "40.0"), "smoothing_length", "case.toml:9")
+
+    def test_unknown_output_field(self):
+        self.refused(CASE.replace("interval = 0.05\n[run]", 'interval = 0.05\nfields = ["velocitty"]\n[run]'),
+                     "output.fields", "velocitty", "velocity")
+
+    def test_all_errors_at_once(self):
+        self.refused(CASE.replace("activity =", "activty =").replace("viscosity = 0.5", "viscosity = -0.5")
+                     .replace('"quintic"', '"quintik"'), "activty", "viscosity", "quintik")
+
+    def test_syntax_error(self):
+        self.refused(CASE.replace("[time]", "[time"), "case.toml:26")
+
+    def test_no_such_file(self):
+        _, err = self.mesogen("run", "nothing.toml", code=2)
+        self.assertIn("nothing.toml: cannot be read", err)
+
+    def test_wrong_override(self):
+        case = self.write_case()
+        _, err = self.mesogen("check", case, "--set", "physics.flow.viscosty=1", code=2)
+        self.assertIn("viscosty", err)
+        _, err = self.mesogen("check", case, "--set", "time.end", code=2)
+        self.assertIn("time.end", err)
+
+
+class Looks(CommandTest):
+    def test_check_tells_the_facts_and_writes_nothing(self):
+        out, err = self.mesogen("check", self.write_case())
+        self.assertEqual(err, "")
+        for part in ("256", "0.13333", "about 50 neighbours", "1.6 m x 1.6 m", "quintic.so", "sound:", "can be run"):
+            self.assertIn(part, out)
+        self.assertEqual(os.listdir(self.folder), ["case.toml"])
+
+    def test_check_of_every_case_of_the_project(self):
+        cases = [os.path.join(folder, file) for folder, _, files in os.walk(os.path.join(PROJECT, "cases"))
+                 for file in files if file.endswith(".toml")]
+        self.assertTrue(cases)
+        for case in cases:
+            out, _ = self.mesogen("check", case)
+            self.assertIn("can be run", out)
+
+    def test_graph_as_text_shows_order_and_pruning(self):
+        out, _ = self.mesogen("graph", self.write_case())
+        self.assertLess(out.index("physics.flow: "), out.index("physics.activity: "))
+        self.assertIn("pruned: ", out)
+
+    def test_graph_for_graphviz(self):
+        out, _ = self.mesogen("graph", self.write_case(), "--dot")
+        self.assertRegex(out, r"^digraph ")
+        self.assertEqual(out.count("{"), out.count("}"))
+
+    def test_field_list(self):
+        out, _ = self.mesogen("field", "list", self.write_case())
+        self.assertRegex(out, r"(?m)^velocity +vector +m/s +physics\.flow +predicted and corrected with acceleration$")
+        self.assertRegex(out, r"(?m)^order_tensor +order tensor +1 +physics\.nematic +advanced with order_tensor_rate$")
+
+
+if __name__ == "__main__":
+    unittest.main()

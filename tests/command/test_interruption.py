@@ -1,0 +1,80 @@
+"""Ctrl-C, SIGKILL and resume."""
+
+import os
+import shutil
+import signal
+import subprocess
+import time
+import unittest
+
+import h5py
+import numpy
+from support import CASE, MESOGEN, CommandTest
+
+LONGER = CASE.replace("end = 0.1", "end = 1.0").replace("[output]", "[output]\ncheckpoint_interval = 0.05")
+
+
+class Interruption(CommandTest):
+    def start(self, *arguments):
+        """Starts the command and waits until it has written its first checkpoint."""
+        process = subprocess.Popen([MESOGEN, *arguments], cwd=self.folder, env=self.environment(), text=True,
+                                   stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+        self.addCleanup(process.kill)
+        deadline = time.time() + 60
+        while not os.path.exists(self.path("out", "checkpoint_a.h5")):
+            self.assertLess(time.time(), deadline, "no checkpoint")
+            self.assertIsNone(process.poll(), "ended too early")
+            time.sleep(0.01)
+        return process
+
+    def final(self, folder):
+        with h5py.File(self.path(folder, "results.h5"), "r") as file:
+            fluid = file["particles/fluid"]
+            return {field: numpy.asarray(fluid[field]["value"][-1]) for field in ("position", "velocity", "order_tensor")}
+
+    def expect_same_as_unbroken(self, case):
+        self.mesogen("run", case, "--output", "unbroken", "--quiet")
+        expected, found = self.final("unbroken"), self.final("out")
+        for field in expected:
+            self.assertTrue(numpy.array_equal(expected[field], found[field]), field)
+
+    def test_interrupt_writes_a_checkpoint_and_resume_goes_on(self):
+        case = self.write_case(LONGER)
+        for stop in (signal.SIGINT, signal.SIGTERM):
+            process = self.start("run", case, "--output", "out")
+            process.send_signal(stop)
+            _, err = process.communicate(timeout=60)
+            self.assertEqual(process.returncode, 130, err)
+            self.assertIn("mesogen resume out", err)
+            _, err = self.mesogen("resume", "out")
+            self.assertIn("resuming from", err)
+            self.expect_same_as_unbroken(case)
+            shutil.rmtree(self.path("out"))
+            shutil.rmtree(self.path("unbroken"))
+
+    def test_kill_and_resume_give_the_same_bits(self):
+        case = self.write_case(LONGER)
+        process = self.start("run", case, "--output", "out")
+        time.sleep(0.2)
+        process.kill()
+        process.communicate()
+        self.mesogen("resume", "out", "--quiet")
+        self.expect_same_as_unbroken(case)
+
+    def test_folder_in_use_is_refused(self):
+        process = self.start("run", self.write_case(LONGER), "--output", "out")
+        _, err = self.mesogen("resume", "out", code=2)
+        self.assertIn("another run is writing into out", err)
+        process.send_signal(signal.SIGINT)
+        process.communicate(timeout=60)
+
+    def test_resume_of_what_is_no_run(self):
+        _, err = self.mesogen("resume", "nothing", code=2)
+        self.assertIn("nothing", err)
+        os.mkdir(self.path("empty"))
+        _, err = self.mesogen("resume", "empty", code=2)
+        self.assertIn("empty", err)
+
+
+if __name__ == "__main__":
+    unittest.main()
