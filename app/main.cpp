@@ -21,7 +21,7 @@ int tell(ExitCode code, const std::string& text) {
 /// No verb, or `plugin` and `field` without theirs: the help of what was given.
 ExitCode explain(const CLI::App& command) {
   const auto given = command.get_subcommands();
-  fmt::print(stderr, "{}", (given.empty() ? command : *given.front()).help());
+  fmt::print(stderr, "{}", given.empty() ? command.help() : given.front()->help(command.get_name()));
   return ExitCode::bad_case;
 }
 
