@@ -27,17 +27,10 @@ class Run {
     log_.open_file(options.folder / "run.log");
   }
 
-  ExitCode begin() {
-    ResultsWriter results = ResultsWriter::create(results_options());
-    observation_.declare(results);
-    stepper_.start();
-    observation_.start();
-    observation_.observe(std::vector<bool>(setup_.observers.size() + 1, true), results);
-    log_.info(fmt::format("{} particles, {} threads, {}, first step {} s (limit: {})", setup_.scene.particle_count,
-                          omp_get_max_threads(), precision(), number_text(stepper_.next_step(end()).seconds),
-                          stepper_.next_step(end()).limit));
-    return go_on(results);
-  }
+  ExitCode begin() { return begin(ResultsWriter::create(results_options())); }
+
+  /// After a kill before the first checkpoint: whatever results there are make room.
+  ExitCode begin_again() { return begin(ResultsWriter::resume(results_options(), -1)); }
 
   ExitCode resume(const Checkpoint& checkpoint) {
     stepper_.restore(checkpoint);
@@ -48,6 +41,17 @@ class Run {
   }
 
  private:
+  ExitCode begin(ResultsWriter results) {
+    observation_.declare(results);
+    stepper_.start();
+    observation_.start();
+    observation_.observe(std::vector<bool>(setup_.observers.size() + 1, true), results);
+    log_.info(fmt::format("{} particles, {} threads, {}, first step {} s (limit: {})", setup_.scene.particle_count,
+                          omp_get_max_threads(), precision(), number_text(stepper_.next_step(end()).seconds),
+                          stepper_.next_step(end()).limit));
+    return go_on(results);
+  }
+
   [[nodiscard]] double end() const { return setup_.source.time.end; }
   [[nodiscard]] std::string precision() const {
     return setup_.scene.precision == Precision::single_precision ? "single precision" : "double precision";
@@ -154,7 +158,7 @@ ExitCode resume_run(const PluginRegistry& registry, const RunOptions& options, L
   const auto setup = set_up(std::move(source), registry, problems);
   if (!has_checkpoint(options.folder)) {
     log.info("no checkpoint was written yet: starting again from the beginning");
-    return Run(*setup, options, log, progress).begin();
+    return Run(*setup, options, log, progress).begin_again();
   }
   std::string which;
   std::vector<std::string> refused;

@@ -121,7 +121,7 @@ void try_mutations(std::uint32_t first, std::uint32_t last) {
     }
   }
   EXPECT_GT(accepted, 0);
-  RecordProperty("accepted", accepted);
+  testing::Test::RecordProperty("accepted", accepted);
 }
 
 TEST(MutatedCasesWithPlugins, AreRefusedOrObeyed) { try_mutations(0, 1500); }
