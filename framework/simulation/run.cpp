@@ -105,7 +105,7 @@ class Run {
       }
     } catch (...) {
       progress_.finish(world.time, world.step);
-      results.flush();
+      keep_samples(results);
       throw;
     }
     progress_.finish(world.time, world.step);
@@ -118,6 +118,15 @@ class Run {
     results.finish();
     report(world.step - first, seconds_since(begun));
     return ExitCode::done;
+  }
+
+  // After a failure: its message matters more than that of a disk that is full as well.
+  void keep_samples(ResultsWriter& results) {
+    try {
+      results.flush();
+    } catch (const Error& error) {
+      log_.warn(error.what());
+    }
   }
 
   void report(std::int64_t steps, double seconds) {
