@@ -1,6 +1,7 @@
 // The same functors on the host and on a CUDA device: pair sums of the framework and of wcsph over disordered particles
-// in a wrapped box. Exits with 77 where there is no device (ctest: skipped), after the host results were checked against
-// exact ones. Needs no more than the headers and the cell grid, so it also builds where the other libraries are missing.
+// in a wrapped box. Exits with 77 where there is no device (ctest: skipped), after the host results were checked
+// against exact ones. Needs no more than the headers and the cell grid, so it also builds where the other libraries are
+// missing.
 
 #include <cuda_runtime.h>
 
@@ -199,7 +200,8 @@ Result compute(int across, bool device) {
     // The host's gradients are right: a second-order operator on a wave of 2 pi.
     double worst = 0.0;
     for (int i = 0; i < count; ++i) {
-      const double exact = 2 * pi * std::cos(2 * pi * particles.position[0][i]) * std::cos(2 * pi * particles.position[1][i]);
+      const double exact =
+          2 * pi * std::cos(2 * pi * particles.position[0][i]) * std::cos(2 * pi * particles.position[1][i]);
       worst = std::max(worst, std::abs(result.gradient[i] - exact));
     }
     std::printf("%d^2, %s: worst error of a gradient on the host %.2e of %.2f\n", across,
@@ -225,8 +227,9 @@ bool agree(int across, bool device_there, double tolerance) {
   if (!device_there) return true;
   compute<Real>(across, true);  // loads the code
   const Result device = compute<Real>(across, true);
-  const double worst = std::max({difference(host.gradient, device.gradient), difference(host.laplacian, device.laplacian),
-                                 difference(host.acceleration, device.acceleration)});
+  const double worst =
+      std::max({difference(host.gradient, device.gradient), difference(host.laplacian, device.laplacian),
+                difference(host.acceleration, device.acceleration)});
   std::printf("  host against device %.1e (bound %.1e); both passes on the device %.3f ms\n", worst, tolerance,
               device.milliseconds);
   return worst <= tolerance;
