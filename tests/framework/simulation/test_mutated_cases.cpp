@@ -120,12 +120,11 @@ void try_mutations(std::uint32_t first, std::uint32_t last) {
       ASSERT_NE(said.find("case.toml"), std::string::npos) << said;
     }
   }
-  EXPECT_GT(accepted, 0);
+  EXPECT_GT(accepted, 100);
   testing::Test::RecordProperty("accepted", accepted);
 }
 
-TEST(MutatedCasesWithPlugins, AreRefusedOrObeyed) { try_mutations(0, 1500); }
-TEST(MutatedCasesWithPluginsLong, AreRefusedOrObeyed) { try_mutations(1500, 14000); }
+TEST(MutatedCasesWithPlugins, AreRefusedOrObeyed) { try_mutations(0, 14000); }
 
 }  // namespace
 }  // namespace mesogen
