@@ -10,45 +10,20 @@ namespace mesogen {
 namespace {
 
 constexpr double skin_in_spacings = 0.1;
-constexpr int cells_in_tile = 64;
 constexpr std::size_t pack_tail = 16;
-// Cells along x are a fraction of the support: short ones waste fewer pairs, long ones fewer loop turns.
-constexpr int narrow = 4;
 
 }  // namespace
 
 Neighbourhood::Neighbourhood(const Scene& scene, const Boundary& boundary)
-    : scene_(scene), boundary_(boundary), skin_(skin_in_spacings * scene.spacing) {
-  choose_cells();
-}
+    : scene_(scene),
+      boundary_(boundary),
+      skin_(skin_in_spacings * scene.spacing),
+      grid_(scene, boundary, scene.support + skin_) {}
 
-void Neighbourhood::choose_cells() {
-  const double range = scene_.support + skin_;
-  for (int d = 0; d < scene_.dimension; ++d) {
-    const double wanted = d == 0 ? range / narrow : range;
-    cells_[d] = std::max(1, static_cast<int>(std::floor(scene_.box[d] / wanted)));
-    width_[d] = scene_.box[d] / cells_[d];
-    reach_[d] = static_cast<int>(std::ceil(range / width_[d] * (1.0 - 1e-12)));
-    wrapped_[d] = boundary_.wraps(d);
-    padding_[d] = wrapped_[d] ? 0 : reach_[d];
-  }
-}
-
-int Neighbourhood::cell_along(int axis, double position) const {
-  return static_cast<int>(std::floor(position / width_[axis]));
-}
-
-int Neighbourhood::padded(const std::array<int, 3>& cell) const {
-  int index = 0;
-  for (int d = scene_.dimension - 1; d >= 0; --d) index = index * (cells_[d] + 2 * padding_[d]) + cell[d] + padding_[d];
-  return index;
-}
-
-double Neighbourhood::tile_origin(int axis, int cell) const {
-  if (axis > 0) return cell * width_[axis];
-  if (cell < 0) return -padding_[0] * width_[0];
-  if (cell >= cells_[0]) return cells_[0] * width_[0];
-  return cell / cells_in_tile * cells_in_tile * width_[0];
+std::array<double, 3> Neighbourhood::sorted_at(Index i) const {
+  std::array<double, 3> at{};
+  for (int d = 0; d < scene_.dimension; ++d) at[d] = sorted_position_[d][i];
+  return at;
 }
 
 const std::vector<Index>* Neighbourhood::update(Particles& particles) {
@@ -89,8 +64,7 @@ void Neighbourhood::sort_particles(Particles& particles) {
   }
   for (int d = 0; d < dimension; ++d) sorted_position_[d] = particles.position[d];
   find_cells();
-  int cells = 1;
-  for (int d = 0; d < dimension; ++d) cells *= cells_[d];
+  const int cells = grid_.inside_count();
   std::vector<Index> start(static_cast<std::size_t>(cells) + 1, 0);
   for (const Index cell : cell_of_) ++start[static_cast<std::size_t>(cell) + 1];
   std::partial_sum(start.begin(), start.end(), start.begin());
@@ -122,12 +96,7 @@ void Neighbourhood::find_cells() {
   const auto count = static_cast<Index>(sorted_position_[0].size());
   cell_of_.resize(static_cast<std::size_t>(count));
 #pragma omp parallel for schedule(static)
-  for (Index i = 0; i < count; ++i) {
-    int cell = 0;
-    for (int d = scene_.dimension - 1; d >= 0; --d)
-      cell = cell * cells_[d] + std::clamp(cell_along(d, sorted_position_[d][i]), 0, cells_[d] - 1);
-    cell_of_[i] = cell;
-  }
+  for (Index i = 0; i < count; ++i) cell_of_[i] = grid_.number_of(sorted_at(i));
 }
 
 // Copies are stored behind the particles, by cell like them; their cells lie in the padding.
@@ -137,57 +106,26 @@ void Neighbourhood::make_copies() {
   const double* position[3] = {sorted_position_[0].data(), sorted_position_[1].data(), sorted_position_[2].data()};
   Copies made;
   boundary_.copies(scene_, position, count, scene_.support + skin_, made);
-  const auto copies = static_cast<Index>(made.source.size());
 
-  int padded_count = 1;
-  for (int d = 0; d < dimension; ++d) padded_count *= cells_[d] + 2 * padding_[d];
-  cell_begin_.assign(static_cast<std::size_t>(padded_count), 0);
-  cell_end_.assign(static_cast<std::size_t>(padded_count), 0);
-
-  std::vector<Index> begin(static_cast<std::size_t>(padded_count) + 1, 0);
-  std::vector<std::array<int, 3>> cell(made.source.size());
-  for (Index n = 0; n < copies; ++n) {
-    for (int d = 0; d < dimension; ++d) {
-      const double at = sorted_position_[d][made.source[n]] + made.offset[n][d];
-      cell[n][d] = std::clamp(cell_along(d, at), -padding_[d], cells_[d] + padding_[d] - 1);
-      // Rounding must not move a copy over a face: the cells inside the box know only particles.
-      if (made.offset[n][d] < 0.0) cell[n][d] = std::min(cell[n][d], -1);
-      if (made.offset[n][d] > 0.0) cell[n][d] = std::max(cell[n][d], cells_[d]);
-      if (made.offset[n][d] == 0.0) cell[n][d] = std::clamp(cell[n][d], 0, cells_[d] - 1);
-    }
-    ++begin[padded(cell[n]) + 1];
+  std::vector<Index> begin(static_cast<std::size_t>(grid_.padded_count()) + 1, 0);
+  std::vector<CellGrid::Cell> cell(made.source.size());
+  for (std::size_t n = 0; n < cell.size(); ++n) {
+    cell[n] = grid_.of_copy(sorted_at(made.source[n]), made.offset[n]);
+    ++begin[grid_.padded_index(cell[n]) + 1];
   }
   std::partial_sum(begin.begin(), begin.end(), begin.begin());
   std::vector<Index> next(begin.begin(), begin.end() - 1);
   copies_.source.resize(made.source.size());
   copies_.offset.resize(made.source.size());
   for (int d = 0; d < dimension; ++d) copy_origin_[d].resize(made.source.size());
-  for (Index n = 0; n < copies; ++n) {
-    const Index to = next[padded(cell[n])]++;
+  for (std::size_t n = 0; n < cell.size(); ++n) {
+    const Index to = next[grid_.padded_index(cell[n])]++;
     copies_.source[to] = made.source[n];
     copies_.offset[to] = made.offset[n];
-    for (int d = 0; d < dimension; ++d) copy_origin_[d][to] = tile_origin(d, cell[n][d]);
+    for (int d = 0; d < dimension; ++d) copy_origin_[d][to] = grid_.tile_origin(d, cell[n][d]);
   }
+  fill_cell_tables(begin);
 
-  for (int c = 0; c < padded_count; ++c) {
-    cell_begin_[c] = count + begin[c];
-    cell_end_[c] = count + begin[c + 1];
-  }
-  Index i = 0;
-  int inside = 1;
-  for (int d = 0; d < dimension; ++d) inside *= cells_[d];
-  for (int c = 0; c < inside; ++c) {
-    std::array<int, 3> at{};
-    int rest = c;
-    for (int d = 0; d < dimension; ++d) {
-      at[d] = rest % cells_[d];
-      rest /= cells_[d];
-    }
-    const int index = padded(at);
-    cell_begin_[index] = i;
-    while (i < count && cell_of_[i] == c) ++i;
-    cell_end_[index] = i;
-  }
   const std::size_t stored = static_cast<std::size_t>(count) + made.source.size() + pack_tail;
   for (int d = 0; d < dimension; ++d) {
     if (scene_.precision == Precision::single_precision) {
@@ -199,25 +137,47 @@ void Neighbourhood::make_copies() {
   ++sorted_version_;
 }
 
+void Neighbourhood::fill_cell_tables(const std::vector<Index>& copies_begin) {
+  const auto count = static_cast<Index>(cell_of_.size());
+  cell_begin_.resize(copies_begin.size() - 1);
+  cell_end_.resize(copies_begin.size() - 1);
+  for (std::size_t c = 0; c < cell_begin_.size(); ++c) {
+    cell_begin_[c] = count + copies_begin[c];
+    cell_end_[c] = count + copies_begin[c + 1];
+  }
+  Index i = 0;
+  for (int c = 0; c < grid_.inside_count(); ++c) {
+    const int index = grid_.padded_index(grid_.inside(c));
+    cell_begin_[index] = i;
+    while (i < count && cell_of_[i] == c) ++i;
+    cell_end_[index] = i;
+  }
+}
+
 // Coordinates relative to tiles; false if a particle has left the skin.
 template <class Real>
 bool Neighbourhood::place(const Particles& particles, std::array<std::vector<Real>, 3>& local) const {
   const Index count = particles.count();
+  const int cells = grid_.inside_count();
   const double most = skin_ * skin_ / 4.0;
   int left = 0;
 #pragma omp parallel for schedule(static) reduction(| : left)
-  for (Index i = 0; i < count; ++i) {
-    double moved = 0.0;
-    int rest = cell_of_[i];
-    for (int d = 0; d < scene_.dimension; ++d) {
-      const double at = particles.position[d][i];
-      const double by = at - sorted_position_[d][i];
-      moved += by * by;
-      local[d][i] = Real(at - tile_origin(d, rest % cells_[d]));
-      rest /= cells_[d];
+  for (int c = 0; c < cells; ++c) {
+    const CellGrid::Cell cell = grid_.inside(c);
+    const int index = grid_.padded_index(cell);
+    std::array<double, 3> origin{};
+    for (int d = 0; d < scene_.dimension; ++d) origin[d] = grid_.tile_origin(d, cell[d]);
+    for (Index i = cell_begin_[index]; i < cell_end_[index]; ++i) {
+      double moved = 0.0;
+      for (int d = 0; d < scene_.dimension; ++d) {
+        const double at = particles.position[d][i];
+        const double by = at - sorted_position_[d][i];
+        moved += by * by;
+        local[d][i] = Real(at - origin[d]);
+      }
+      // Written so that NaN counts as having left; the guard after the step names it.
+      if (!(moved <= most)) left = 1;
     }
-    // Written so that NaN counts as having left; the guard after the step names it.
-    if (!(moved <= most)) left = 1;
   }
   if (left != 0) return false;
   const Index copies = copy_count();
@@ -241,17 +201,17 @@ void Neighbourhood::fill(Neighbours<Real, Dim>& grid) const {
     } else {
       grid.local[d] = local_double_[d].data();
     }
-    grid.cells[d] = cells_[d];
-    grid.padding[d] = padding_[d];
-    grid.reach[d] = reach_[d];
-    grid.wrapped[d] = wrapped_[d];
-    grid.width[d] = width_[d];
+    grid.cells[d] = grid_.cells(d);
+    grid.padding[d] = grid_.padding(d);
+    grid.reach[d] = grid_.reach(d);
+    grid.wrapped[d] = grid_.wrapped(d);
+    grid.width[d] = grid_.width(d);
   }
   grid.cell_begin = cell_begin_.data();
   grid.cell_end = cell_end_.data();
   grid.cell_of = cell_of_.data();
   grid.particle_count = static_cast<Index>(cell_of_.size());
-  grid.tile = cells_in_tile;
+  grid.tile = CellGrid::cells_in_tile;
   grid.radius = Real(scene_.support);
   const double h = scene_.smoothing_length;
   grid.smallest = Real((sizeof(Real) == sizeof(float) ? 1e-14 : 1e-30) * h * h);

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "domain/cell_grid.hpp"
 #include "domain/particles.hpp"
 #include "mesogen/domain/neighbours.hpp"
 #include "mesogen/export.hpp"
@@ -41,13 +42,11 @@ class MESOGEN_EXPORT Neighbourhood {
   void fill(Neighbours<Real, Dim>& grid) const;
 
  private:
-  void choose_cells();
-  [[nodiscard]] int cell_along(int axis, double position) const;
-  [[nodiscard]] int padded(const std::array<int, 3>& cell) const;
-  [[nodiscard]] double tile_origin(int axis, int cell) const;
   void sort_particles(Particles& particles);
   void find_cells();
   void make_copies();
+  void fill_cell_tables(const std::vector<Index>& copies_begin);
+  [[nodiscard]] std::array<double, 3> sorted_at(Index i) const;
   template <class Real>
   [[nodiscard]] bool place(const Particles& particles, std::array<std::vector<Real>, 3>& local) const;
   [[nodiscard]] bool place(const Particles& particles);
@@ -55,11 +54,7 @@ class MESOGEN_EXPORT Neighbourhood {
   const Scene& scene_;
   const Boundary& boundary_;
   double skin_;
-  std::array<int, 3> cells_{1, 1, 1};
-  std::array<int, 3> padding_{};
-  std::array<int, 3> reach_{};
-  std::array<bool, 3> wrapped_{};
-  std::array<double, 3> width_{};
+  CellGrid grid_;
 
   std::array<std::vector<double>, 3> sorted_position_;
   std::vector<Index> order_;

@@ -1,0 +1,81 @@
+#include "domain/cell_grid.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mesogen {
+
+namespace {
+
+// Cells along x are a fraction of the range: short ones waste fewer pairs, long ones fewer loop turns.
+constexpr int narrow = 4;
+
+}  // namespace
+
+CellGrid::CellGrid(const Scene& scene, const Boundary& boundary, double range) : dimension_(scene.dimension) {
+  for (int d = 0; d < dimension_; ++d) {
+    const double wanted = d == 0 ? range / narrow : range;
+    cells_[d] = std::max(1, static_cast<int>(std::floor(scene.box[d] / wanted)));
+    width_[d] = scene.box[d] / cells_[d];
+    reach_[d] = static_cast<int>(std::ceil(range / width_[d] * (1.0 - 1e-12)));
+    wrapped_[d] = boundary.wraps(d);
+    padding_[d] = wrapped_[d] ? 0 : reach_[d];
+  }
+}
+
+int CellGrid::along(int axis, double position) const { return static_cast<int>(std::floor(position / width_[axis])); }
+
+int CellGrid::number_of(const std::array<double, 3>& position) const {
+  int number = 0;
+  for (int d = dimension_ - 1; d >= 0; --d)
+    number = number * cells_[d] + std::clamp(along(d, position[d]), 0, cells_[d] - 1);
+  return number;
+}
+
+CellGrid::Cell CellGrid::inside(int number) const {
+  Cell cell{};
+  for (int d = 0; d < dimension_; ++d) {
+    cell[d] = number % cells_[d];
+    number /= cells_[d];
+  }
+  return cell;
+}
+
+CellGrid::Cell CellGrid::of_copy(const std::array<double, 3>& source, const std::array<double, 3>& offset) const {
+  Cell cell{};
+  for (int d = 0; d < dimension_; ++d) {
+    cell[d] = std::clamp(along(d, source[d] + offset[d]), -padding_[d], cells_[d] + padding_[d] - 1);
+    // Rounding must not move a copy over a face: the cells inside the box know only particles.
+    if (offset[d] < 0.0) cell[d] = std::min(cell[d], -1);
+    if (offset[d] > 0.0) cell[d] = std::max(cell[d], cells_[d]);
+    if (offset[d] == 0.0) cell[d] = std::clamp(cell[d], 0, cells_[d] - 1);
+  }
+  return cell;
+}
+
+int CellGrid::padded_index(const Cell& cell) const {
+  int index = 0;
+  for (int d = dimension_ - 1; d >= 0; --d) index = index * (cells_[d] + 2 * padding_[d]) + cell[d] + padding_[d];
+  return index;
+}
+
+int CellGrid::inside_count() const {
+  int count = 1;
+  for (int d = 0; d < dimension_; ++d) count *= cells_[d];
+  return count;
+}
+
+int CellGrid::padded_count() const {
+  int count = 1;
+  for (int d = 0; d < dimension_; ++d) count *= cells_[d] + 2 * padding_[d];
+  return count;
+}
+
+double CellGrid::tile_origin(int axis, int cell) const {
+  if (axis > 0) return cell * width_[axis];
+  if (cell < 0) return -padding_[0] * width_[0];
+  if (cell >= cells_[0]) return cells_[0] * width_[0];
+  return cell / cells_in_tile * cells_in_tile * width_[0];
+}
+
+}  // namespace mesogen
