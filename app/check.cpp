@@ -21,8 +21,8 @@ void print_plugin(const PluginRegistry& registry, PluginKind kind, const PluginC
 void print_steps(const Setup& setup) {
   const auto& time = setup.source.time;
   if (time.step) {
-    fmt::print("time            {:.6g} s, in {} steps of {:.6g} s\n", time.end, std::ceil(time.end / *time.step),
-               *time.step);
+    fmt::print("time            {:.6g} s, in {} steps of {:.6g} s\n", time.end,
+               std::ceil(time.end / *time.step * (1.0 - 1e-9)), *time.step);
   } else {
     fmt::print("time            {:.6g} s, step chosen as the run goes, times {:.6g}\n", time.end, time.factor);
   }
@@ -44,8 +44,8 @@ ExitCode check(const CaseOptions& options) {
              scene.smoothing_length, scene.support, neighbours);
   fmt::print("precision       {}\n", scene.precision == Precision::single_precision ? "single" : "double");
   print_steps(*setup);
-  fmt::print("stored fields   position, {} every {:.6g} s\n", fmt::join(setup->output_fields, ", "),
-             source.output.interval);
+  fmt::print("stored fields   position{}{} every {:.6g} s\n", setup->output_fields.empty() ? "" : ", ",
+             fmt::join(setup->output_fields, ", "), source.output.interval);
   fmt::print("plugins\n");
   print_plugin(registry, PluginKind::kernel, source.kernel);
   print_plugin(registry, PluginKind::boundary, source.boundary);

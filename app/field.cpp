@@ -36,7 +36,11 @@ ExitCode list(const CaseOptions& options) {
     fmt::print("{}\n", text);
   };
   line("FIELD", "RANK", "UNIT", "FROM", "");
-  line("position", to_string(Rank::vector), "m", "framework", "advanced with " + setup->graph->velocity());
+  const StepGraph& graph = *setup->graph;
+  line("position", to_string(Rank::vector), "m", "framework",
+       graph.velocity().empty()
+           ? "fixed"
+           : "advanced with " + graph.velocity() + (graph.shift().empty() ? "" : " + " + graph.shift()));
   for (const auto& [name, entry] : setup->catalogue.all()) {
     line(name, to_string(entry.declaration.rank), entry.declaration.unit_text, entry.owner,
          advance_text(entry.declaration));

@@ -47,6 +47,7 @@ StepGraph::StepGraph(const Catalogue& catalogue, const std::vector<Member>& memb
     velocity_ = member.passes->velocity();
     shift_ = member.passes->shift();
   }
+  check_fields();
   check_writers();
   const auto added_to = [&](const std::string& field) {
     return std::any_of(works_.begin(), works_.end(), [&](const Work& work) { return makes(work, field); });
@@ -70,6 +71,31 @@ StepGraph::StepGraph(const Catalogue& catalogue, const std::vector<Member>& memb
 
 bool StepGraph::makes(const Work& work, const std::string& field) const {
   return contains(work.pass.write_list, field) || contains(work.pass.accumulate_list, field);
+}
+
+// Every field that a pass names must be there, also of a pass that nobody needs: a plugin that can do nothing here is
+// a mistake in the case.
+void StepGraph::check_fields() const {
+  for (const Work& work : works_) {
+    const auto check = [&](const std::vector<std::string>& fields, const std::string& does) {
+      for (const std::string& field : fields)
+        if (!catalogue_.exists(field))
+          throw Error(ExitCode::bad_case, "'" + work.title() + "' " + does + " '" + field +
+                                              "', which no plugin of this case introduces. Add one that does (`mesogen "
+                                              "plugin info` tells), or remove '" +
+                                              work.owner + "'");
+    };
+    check(work.pass.own_reads, "reads");
+    check(work.pass.neighbour_reads, "reads");
+    check(work.pass.write_list, "writes");
+    check(work.pass.accumulate_list, "adds to");
+    for (const auto* const list : {&work.pass.write_list, &work.pass.accumulate_list})
+      for (const std::string& field : *list)
+        if (catalogue_.is_state(field))
+          throw Error(ExitCode::plugin_refused,
+                      "'" + work.title() + "' writes '" + field +
+                          "', which keeps its value from step to step: add to its rate of change instead");
+  }
 }
 
 void StepGraph::check_writers() const {

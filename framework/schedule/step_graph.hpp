@@ -51,6 +51,7 @@ class MESOGEN_EXPORT StepGraph {
 
  private:
   struct Need;
+  void check_fields() const;
   void check_writers() const;
   void follow(const std::string& field, const std::string& wanted_by, Need& need);
   void order_phase(Phase phase);

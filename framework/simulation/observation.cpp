@@ -9,13 +9,20 @@ namespace {
 
 class WorldView final : public ObserverContext {
  public:
-  WorldView(World& world, const Setup::ObserverMember& observer) : world_(world), observer_(observer) {}
+  /// While it follows every step an observer may read states alone: nothing else is brought up to date for it then.
+  WorldView(World& world, const Setup& setup, const Setup::ObserverMember& observer, bool following)
+      : world_(world), setup_(setup), observer_(observer), following_(following) {}
 
   [[nodiscard]] std::vector<double> values(std::string_view name, int component) const override {
     const auto& declared = observer_.fields;
     if (std::find(declared.begin(), declared.end(), name) == declared.end())
       throw Error(ExitCode::plugin_refused, "observer '" + observer_.instance + "' reads the field '" +
                                                 std::string(name) + "', which it did not declare: name it in plan()");
+    if (following_ && !setup_.catalogue.is_state(name))
+      throw Error(ExitCode::plugin_refused, "observer '" + observer_.instance + "' reads the field '" +
+                                                std::string(name) +
+                                                "' in follow(): only fields that are advanced in time "
+                                                "are up to date after every step; read it in sample()");
     const Field& field = world_.fields.at(name);
     std::vector<double> all(world_.particles.id.size());
 #pragma omp parallel for schedule(static)
@@ -51,7 +58,9 @@ class WorldView final : public ObserverContext {
 
  private:
   World& world_;
+  const Setup& setup_;
   const Setup::ObserverMember& observer_;
+  bool following_;
 };
 
 }  // namespace
@@ -78,7 +87,7 @@ void Observation::declare(ResultsWriter& results) const {
 void Observation::start() {
   for (const auto& member : stepper_.setup().observers) {
     stepper_.executor().prepare(member.fields);
-    member.plugin->start(WorldView(stepper_.world(), member));
+    member.plugin->start(WorldView(stepper_.world(), stepper_.setup(), member, false));
   }
 }
 
@@ -93,9 +102,10 @@ void Observation::observe(const std::vector<bool>& due, ResultsWriter& results) 
   const auto& members = stepper_.setup().observers;
   for (std::size_t n = 0; n < members.size(); ++n) {
     const auto& member = members[n];
-    const WorldView view(world, member);
-    if (member.plan.follows() && world.step > 0) member.plugin->follow(view);
+    if (member.plan.follows() && world.step > 0)
+      member.plugin->follow(WorldView(world, stepper_.setup(), member, true));
     if (!due[n]) continue;
+    const WorldView view(world, stepper_.setup(), member, false);
     stepper_.executor().prepare(member.fields);
     Sample sample;
     member.plugin->sample(view, sample);

@@ -93,9 +93,10 @@ class Run {
       while (world.time < end() && !stopped()) {
         const auto [step_size, limit] = stepper_.next_step(end());
         const double from = world.time;
-        const bool last = from + step_size >= end();
-        const auto due = observation_.due(from, from + step_size, world.step + 1, last);
-        stepper_.advance(step_size, due);
+        const bool last = step_size >= end() - from;
+        const double to = last ? end() : from + step_size;
+        const auto due = observation_.due(from, to, world.step + 1, last);
+        stepper_.advance(step_size, due, to);
         observation_.observe(due, results);
         progress_.update(world.time, world.step);
         if (seconds_since(saved) >= setup_.source.output.checkpoint_interval) {
@@ -179,6 +180,7 @@ ExitCode resume_run(const PluginRegistry& registry, const RunOptions& options, L
         return {};
       });
   for (const std::string& reason : refused) log.warn(reason);
+  if (checkpoint.time >= setup->source.time.end) log.info("this run is complete: there is nothing to do");
   log.info(fmt::format("resuming from {} at t = {} s, step {}", which, number_text(checkpoint.time), checkpoint.step));
   return Run(*setup, options, log, progress).resume(checkpoint);
 }

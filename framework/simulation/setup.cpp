@@ -20,13 +20,15 @@ class SetupBuilder {
 
   void make_plugins();
   void choose_kernel();
-  void finish_if(bool usable);
+  void put_together();
   [[nodiscard]] bool refused() const { return refused_; }
 
  private:
   template <class Make>
   auto make(const PluginChoice& choice, Make&& made) -> decltype(made(choice.type));
   void read(const PluginChoice& choice, const ParameterList& list);
+  template <class Action>
+  void attempt(const PluginChoice& choice, Action&& action);
   void describe_scene();
   void collect_fields();
   void choose_output();
@@ -49,6 +51,17 @@ auto SetupBuilder::make(const PluginChoice& choice, Make&& made) -> decltype(mad
     refused_ = refused_ || error.code() == ExitCode::plugin_refused;
     problems_.add(choice.type_place, choice.type_key, error.what());
     return nullptr;
+  }
+}
+
+// What a plugin finds wrong by itself is one problem among the others.
+template <class Action>
+void SetupBuilder::attempt(const PluginChoice& choice, Action&& action) {
+  try {
+    action();
+  } catch (const Error& error) {
+    refused_ = refused_ || error.code() == ExitCode::plugin_refused;
+    problems_.add(choice.section.place(), choice.section.path(), error.what());
   }
 }
 
@@ -124,16 +137,20 @@ void SetupBuilder::describe_scene() {
     for (std::size_t i = 0; i < velocity[0].size(); ++i)
       scene.scales.speed = std::max(scene.scales.speed, std::hypot(velocity[0][i], velocity[1][i]));
   }
-  for (auto& member : setup_.physics) {
-    member.plugin->prepare(scene);
-    member.plugin->passes(member.passes);
-    member.plugin->step_limits(scene, setup_.limits);
-  }
+  for (std::size_t n = 0; n < setup_.physics.size(); ++n)
+    attempt(source_.physics[n], [&] {
+      setup_.physics[n].plugin->prepare(scene);
+      setup_.physics[n].plugin->step_limits(scene, setup_.limits);
+    });
 }
 
 void SetupBuilder::collect_fields() {
-  for (const auto& member : setup_.physics)
-    for (const FieldDeclaration& field : member.passes.fields()) setup_.catalogue.add(field, member.instance);
+  for (std::size_t n = 0; n < setup_.physics.size(); ++n)
+    attempt(source_.physics[n], [&] {
+      auto& member = setup_.physics[n];
+      member.plugin->passes(member.passes);
+      for (const FieldDeclaration& field : member.passes.fields()) setup_.catalogue.add(field, member.instance);
+    });
   const auto initial = [&](const std::string& name, Rank rank, const std::string& unit, const std::string& owner) {
     FieldDeclaration field;
     field.name = name;
@@ -168,19 +185,26 @@ void SetupBuilder::choose_output() {
 }
 
 void SetupBuilder::plan_observers() {
-  for (auto& member : setup_.observers) {
-    member.plugin->plan(setup_.scene, member.plan);
-    member.fields = member.plan.read_list();
-    for (const std::string& field : member.plan.optional_list())
-      if (setup_.catalogue.exists(field)) member.fields.push_back(field);
-  }
+  for (std::size_t n = 0; n < setup_.observers.size(); ++n)
+    attempt(source_.observers[n], [&] {
+      auto& member = setup_.observers[n];
+      member.plugin->plan(setup_.scene, member.plan);
+      member.fields = member.plan.read_list();
+      for (const std::string& field : member.plan.optional_list())
+        if (setup_.catalogue.exists(field)) member.fields.push_back(field);
+    });
 }
 
-void SetupBuilder::finish_if(bool usable) {
-  if (!usable) return;
-  describe_scene();
+void SetupBuilder::put_together() {
+  // Fields depend on which plugins there are, the rest on sound parameters too.
+  const bool all_made =
+      setup_.physics.size() == source_.physics.size() && setup_.observers.size() == source_.observers.size();
+  const bool sound = problems_.empty();
+  if (!all_made || source_.tree == nullptr) return;
+  if (sound) describe_scene();
   collect_fields();
   choose_output();
+  if (!sound) return;
   plan_observers();
   if (!problems_.empty()) return;
   std::vector<StepGraph::Member> members;
@@ -200,7 +224,7 @@ std::unique_ptr<Setup> set_up(Case source, const PluginRegistry& registry, Probl
   builder.make_plugins();
   builder.choose_kernel();
   try {
-    builder.finish_if(problems.empty());
+    builder.put_together();
   } catch (const Error& error) {
     if (error.code() != ExitCode::bad_case) throw;
     problems.add({setup->source.file, 0, 0}, "", error.what());

@@ -108,7 +108,7 @@ StepControl::Choice Stepper::next_step(double end) const {
   return choice;
 }
 
-void Stepper::advance(double step_size, const std::vector<bool>& reader_due) {
+void Stepper::advance(double step_size, const std::vector<bool>& reader_due, std::optional<double> arrival) {
   const double begun = world_.time;
   const auto timed = [this](auto&& action) {
     const auto from = std::chrono::steady_clock::now();
@@ -124,7 +124,7 @@ void Stepper::advance(double step_size, const std::vector<bool>& reader_due) {
   executor_.run(Phase::begin, reader_due);
   executor_.run(Phase::rates, reader_due);
   timed([&] { motion_ = integrator_.correct(step_size); });
-  world_.time = begun + step_size;
+  world_.time = arrival.value_or(begun + step_size);
   ++world_.step;
   check(motion_, step_size);
   executor_.run(Phase::end, reader_due);
@@ -135,7 +135,7 @@ void Stepper::check(const Motion& motion, double step_size) {
                            ", step size " + number_text(step_size) + " s)";
   if (!motion.finite) {
     const auto bad = integrator_.find_bad();
-    std::string text = "the run broke down: '" + bad.field + "' is not a number";
+    std::string text = "the run broke down: '" + bad.field + "' is not finite";
     if (bad.particle >= 0) {
       text += " at particle " + std::to_string(world_.particles.id[bad.particle]) + " (";
       for (int d = 0; d < world_.scene.dimension; ++d)

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,7 +27,8 @@ class MESOGEN_EXPORT Stepper {
   /// The next step, no longer than to `end`.
   [[nodiscard]] StepControl::Choice next_step(double end) const;
   /// One step. `reader_due` tells which readers will read at its end. Throws Error(run_failed) if the run broke down.
-  void advance(double step_size, const std::vector<bool>& reader_due);
+  /// `arrival`: the time after it, where time + step_size would be that but for rounding.
+  void advance(double step_size, const std::vector<bool>& reader_due, std::optional<double> arrival = {});
 
   [[nodiscard]] World& world() { return world_; }
   [[nodiscard]] Executor& executor() { return executor_; }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 
 namespace mesogen {
 
@@ -28,8 +29,10 @@ double largest_square(const FieldView<T>& field, int components, Index count) {
 
 double largest_length(Field* field, Index count) {
   if (field == nullptr) return 0.0;
-  return std::sqrt(field->is_double() ? largest_square(field->view<double>(), field->components(), count)
-                                      : largest_square(field->view<float>(), field->components(), count));
+  // Of an advanced field the doubles: what a step found must be found again when a run is resumed.
+  if (field->is_double() || field->integrated())
+    return std::sqrt(largest_square(field->master(), field->components(), count));
+  return std::sqrt(largest_square(field->view<float>(), field->components(), count));
 }
 
 }  // namespace
@@ -82,7 +85,8 @@ Integrator::Largest Integrator::advance(const Advanced& one, double by) {
     case 3: return advance<Real, 3>(one, by);
     case 4: return advance<Real, 4>(one, by);
     case 5: return advance<Real, 5>(one, by);
-    default: return advance<Real, 9>(one, by);
+    case 9: return advance<Real, 9>(one, by);
+    default: throw std::logic_error("'" + one.field->name() + "' has a number of components that no rank has");
   }
 }
 
@@ -91,28 +95,28 @@ Integrator::Largest Integrator::advance(const Advanced& one, double by) {
 }
 
 template <class Real>
-void Integrator::move(double by, double shift_by) {
+bool Integrator::move(double by, double shift_by) {
   const Index count = world_.particles.count();
+  int bad = 0;
   const FieldView<double> velocity = velocity_->master();
   const FieldView<Real> shift = shift_ == nullptr ? FieldView<Real>{} : shift_->view<Real>();
   for (int d = 0; d < world_.scene.dimension; ++d) {
     double* const position = world_.particles.position[d].data();
     const double* const u = velocity.component(d);
     const Real* const s = shift_ == nullptr || shift_by == 0.0 ? nullptr : shift.component(d);
-#pragma omp parallel for schedule(static)
-    for (Index i = 0; i < count; ++i)
+#pragma omp parallel for schedule(static) reduction(| : bad)
+    for (Index i = 0; i < count; ++i) {
       position[i] += by * u[i] + (s == nullptr ? 0.0 : shift_by * static_cast<double>(s[i]));
+      bad |= static_cast<int>(!(std::abs(position[i]) <= most));
+    }
   }
+  return bad == 0;
 }
 
-void Integrator::move(double by, double shift_by) {
-  if (velocity_ == nullptr) return;
-  if (world_.single()) {
-    move<float>(by, shift_by);
-  } else {
-    move<double>(by, shift_by);
-  }
+bool Integrator::move(double by, double shift_by) {
+  if (velocity_ == nullptr) return true;
   world_.mark_moved();
+  return world_.single() ? move<float>(by, shift_by) : move<double>(by, shift_by);
 }
 
 void Integrator::predict(double step_size) {
@@ -130,7 +134,7 @@ Motion Integrator::correct(double step_size) {
     motion.fastest = largest.value;
     motion.largest_acceleration = largest.rate;
   }
-  if (motion.finite) move(step_size / 2.0, step_size);
+  if (motion.finite) motion.finite = move(step_size / 2.0, step_size);
   return motion;
 }
 
@@ -142,12 +146,17 @@ Integrator::Bad Integrator::find_bad() const {
   const auto bad_in = [&](const Field& field) {
     for (Index i = 0; i < world_.particles.count(); ++i)
       for (int c = 0; c < field.components(); ++c)
-        if (!std::isfinite(field.value(c, i))) return i;
+        if (!(field.value(c, i) * field.value(c, i) <= most)) return i;
     return Index(-1);
   };
   for (const Advanced& one : advanced_)
     for (const Field* const field : {static_cast<const Field*>(one.rate), static_cast<const Field*>(one.field)})
       if (const Index i = bad_in(*field); i >= 0) return {field->name(), i};
+  if (shift_ != nullptr)
+    if (const Index i = bad_in(*shift_); i >= 0) return {shift_->name(), i};
+  for (Index i = 0; i < world_.particles.count(); ++i)
+    for (int d = 0; d < world_.scene.dimension; ++d)
+      if (!(std::abs(world_.particles.position[d][i]) <= most)) return {"position", i};
   return {};
 }
 

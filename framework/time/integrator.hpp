@@ -22,6 +22,7 @@ struct Motion {
 ///     rates at (r*, u*)
 ///     u = u* + dt/2 a,  f = f + dt df/dt,  r = r* + dt/2 u + dt shift    correct()
 ///
+/// (u = u + dt/2 a alone, as the scheme is printed by Saghatchi, Kolukisa and Yildiz, would lose half of a.)
 /// Velocity is a `predicted` field, all others are `midpoint` fields (see Advance). Sums are kept in double.
 class MESOGEN_EXPORT Integrator {
  public:
@@ -59,9 +60,10 @@ class MESOGEN_EXPORT Integrator {
   template <class Real>
   Largest advance(const Advanced& one, double by);
   Largest advance(const Advanced& one, double by);
+  // False if a particle is nowhere.
   template <class Real>
-  void move(double by, double shift_by);
-  void move(double by, double shift_by);
+  bool move(double by, double shift_by);
+  bool move(double by, double shift_by);
 
   World& world_;
   std::vector<Advanced> advanced_;

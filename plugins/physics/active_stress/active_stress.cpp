@@ -1,6 +1,8 @@
 // Active stress -zeta Q (Simha and Ramaswamy 2002): its divergence is a force density
 //
 //   f = -zeta (dQ11/dx + dQ12/dy, dQ12/dx - dQ11/dy),   zeta > 0 extensile, zeta < 0 contractile.
+//
+// (The momentum sum printed by Saghatchi, Kolukisa and Yildiz lacks the -zeta / rho in front.)
 
 #include <cmath>
 

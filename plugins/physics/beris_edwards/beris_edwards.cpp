@@ -6,6 +6,11 @@
 //   H = -A Q - C Q Tr(Q^2) + K lap Q
 //
 // Signs: a rigid rotation turns the director with the fluid, dtheta/dt = w/2.
+//
+// Where the paper that this scheme comes from (Saghatchi, Kolukisa, Yildiz) reads otherwise: its vorticity tensor is
+// built from d_i u_j, which would turn the director against the fluid; its I/3 gives a 2x2 S a trace; its discrete
+// equation lacks the K before the Laplacian; and A, B, C = 1, 0, 0 of its Table 2 has no order as its only minimum,
+// where its figures need A = -1, C = 1/2, that is H = Q (1 - q^2) at rest.
 
 #include <cmath>
 

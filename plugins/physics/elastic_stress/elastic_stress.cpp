@@ -7,6 +7,9 @@
 // With E, w and H as in beris_edwards the terms with lambda and Q H - H Q do the work on the flow that they take from
 // the free energy. The coefficients are those that the nematic plugin publishes.
 
+#include <cmath>
+#include <string>
+
 #include "mesogen/diagnostics/error.hpp"
 #include "mesogen/plugin/physics.hpp"
 #include "mesogen/plugin/plugin.hpp"
@@ -75,6 +78,15 @@ class ElasticStress final : public Physics {
     };
     lambda_ = constant("flow_alignment");
     k_ = constant("elastic_constant");
+  }
+
+  // Waves of the director against the fluid's inertia: rho w' ~ K k^4 X theta with X <= 2 + |lambda|, theta' ~ X w / 4.
+  void step_limits(const Scene& scene, StepLimits& limits) const override {
+    const auto density = scene.constants.find("density");
+    if (k_ > 0.0 && density != scene.constants.end())
+      limits.add("elastic waves: 0.25 h^2 sqrt(rho / K) / (2 + |lambda|)",
+                 0.25 * scene.smoothing_length * scene.smoothing_length * std::sqrt(density->second / k_) /
+                     (2.0 + std::abs(lambda_)));
   }
 
   void passes(PassList& list) override {

@@ -39,6 +39,7 @@ struct FilterAndShift {
   FieldView<Real> filtered;  // empty: no filter
   FieldView<Real> shift;     // empty: no shift
   Real beta, shift_strength;
+  Real smoothing_length;  // distances are taken in it: 1 / r^3 of the particle itself must not overflow
 
   struct Own {
     Real compression;
@@ -55,7 +56,7 @@ struct FilterAndShift {
     const Lane w = p.value();
     sum[weight] = sum[weight] + w;
     sum[weighted_compression] = sum[weighted_compression] + w * (p.load(compression) - Lane(own.compression));
-    const Lane inverse = p.inside(p.inverse_distance);
+    const Lane inverse = p.inside(p.inverse_distance * smoothing_length);
     sum[neighbours] = sum[neighbours] + p.inside(Lane(Real(1)));
     sum[distances] = sum[distances] + p.inside(p.distance);
     const Lane cube = inverse * inverse * inverse;
@@ -75,7 +76,8 @@ struct FilterAndShift {
     // The particle itself was counted, at distance zero.
     const Real others = sum[neighbours] - Real(1);
     const Real mean_distance = others > Real(0) ? sum[distances] / others : Real(0);
-    const Real scale = shift_strength * mean_distance * mean_distance * spread;
+    const Real relative = mean_distance / smoothing_length;
+    const Real scale = shift_strength * relative * relative * spread / smoothing_length;
     for (int d = 0; d < Dim; ++d) shift(d, i) += scale * sum[push + d];
   }
 };

@@ -151,6 +151,7 @@ class Wcsph final : public Physics {
       if (shifts) sums.shift = context.write<Real>("shift_velocity");
       sums.beta = Real(filter_);
       sums.shift_strength = Real(shift_);
+      sums.smoothing_length = Real(context.scene().smoothing_length);
       sph::pair_sum(context.space(), context.neighbours<Real, Dim>(), context.kernel(), sums);
     });
   }

@@ -107,7 +107,7 @@ class MESOGEN_EXPORT Observer {
   /// Called once before the first sample of a run (not when a run is resumed).
   virtual void start(const ObserverContext& context);
   virtual void sample(const ObserverContext& context, Sample& sample) = 0;
-  /// After every step, if the plan asked for it.
+  /// After every step, if the plan asked for it. Positions and fields that are advanced in time can be read then.
   virtual void follow(const ObserverContext& context);
   /// What it must remember to continue a run, as named lists of numbers; kept in checkpoints.
   [[nodiscard]] virtual std::map<std::string, std::vector<double>> save() const;

@@ -1,0 +1,91 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+
+#include "fake_pass_context.hpp"
+
+namespace {
+
+using namespace mesogen;
+using namespace mesogen::test;
+
+Scene box_of(double length, double smoothing_length) {
+  Scene scene;
+  scene.box = {length, length, 0.0};
+  scene.smoothing_length = smoothing_length;
+  return scene;
+}
+
+/// c0 as the step limit by sound shows it.
+double sound_speed(const Scene& scene, std::map<std::string, double> more = {}) {
+  more.insert({{"density", 2.0}, {"viscosity", 0.1}});
+  return 0.25 * scene.smoothing_length / PhysicsUnderTest("wcsph", more, scene).limits(scene).at("sound: 0.25 h / c0");
+}
+
+TEST(Wcsph, SoundSpeedIsTheLargestThatAnythingNeeds) {
+  Scene scene = box_of(10.0, 1.0);
+  // Free of cost: the acoustic limit meets the viscous one at 2 mu / (rho h).
+  EXPECT_DOUBLE_EQ(sound_speed(scene), 2.0 * 0.1 / 2.0);
+  scene.scales.stress = 0.08;  // sqrt(stress / (rho delta)), delta = 0.01
+  EXPECT_DOUBLE_EQ(sound_speed(scene), 2.0);
+  EXPECT_DOUBLE_EQ(sound_speed(scene, {{"density_variation", 0.0025}}), 4.0);
+  scene.scales.speed = 0.5;  // ten times as fast
+  EXPECT_DOUBLE_EQ(sound_speed(scene), 5.0);
+  EXPECT_DOUBLE_EQ(sound_speed(scene, {{"sound_speed", 1.5}}), 1.5);
+  // mu u / (rho L delta): a very viscous flow
+  EXPECT_DOUBLE_EQ(sound_speed(box_of(1.0, 1e3), {{"viscosity", 100.0}}), 0.1);
+  Scene creeping = box_of(1.0, 1e4);
+  creeping.scales.speed = 1.0;
+  EXPECT_DOUBLE_EQ(sound_speed(creeping, {{"viscosity", 100.0}}), std::sqrt(100.0 / (2.0 * 0.01)));
+}
+
+TEST(Wcsph, ViscosityLimitsTheStep) {
+  const Scene scene = box_of(10.0, 0.5);
+  const PhysicsUnderTest flow("wcsph", {{"density", 2.0}, {"viscosity", 0.1}}, scene);
+  EXPECT_DOUBLE_EQ(flow.limits(scene).at("viscosity: 0.125 h^2 rho / mu"), 0.125 * 0.25 * 2.0 / 0.1);
+}
+
+TEST(Wcsph, ContinuityFollowsTheDivergence) {
+  const PhysicsUnderTest flow("wcsph", {{"density", 2.0}, {"viscosity", 0.1}}, box_of(10.0, 0.5));
+  FakePassContext context(1);
+  context.set_step_size(0.1);
+  context.set("compression", {0.5});
+  context.set("velocity_gradient", {0.3, 1e9, 1e9, -0.1});
+  context.set("compression_rate", {0.0});
+  context.set("compression_midpoint", {0.0});
+  context.set("density", {0.0});
+  flow.run("continuity", context);
+  EXPECT_NEAR(context.at("compression_rate", 0), -1.5 * 0.2, 1e-15);
+  EXPECT_NEAR(context.at("compression_midpoint", 0), 0.5 - 0.05 * 1.5 * 0.2, 1e-15);
+  EXPECT_NEAR(context.at("density", 0), 2.0 * (1.5 - 0.05 * 1.5 * 0.2), 1e-15);
+}
+
+// p = rho0 c0^2 / 7 ((1 + c)^7 - 1), to the last digit even where (1 + c)^7 - 1 cancels
+TEST(Wcsph, PressureIsTaitsAndLosesNoDigits) {
+  const PhysicsUnderTest flow("wcsph", {{"density", 2.0}, {"viscosity", 0.1}, {"sound_speed", 3.0}});
+  for (const double c : {-0.02, 1e-12, 1e-3, 0.3}) {
+    FakePassContext context(1);
+    context.set("compression_filtered", {c});
+    context.set("pressure", {0.0});
+    context.set("pressure_term", {0.0});
+    flow.run("equation of state", context);
+    const double exact = 2.0 * 9.0 / 7.0 * std::expm1(7.0 * std::log1p(c));
+    EXPECT_NEAR(context.at("pressure", 0) / exact, 1.0, 1e-14);
+    const double density = 2.0 * (1.0 + c);
+    EXPECT_NEAR(context.at("pressure_term", 0) / (exact / (density * density)), 1.0, 1e-14);
+  }
+}
+
+TEST(Wcsph, PublishesWhatItIs) {
+  PhysicsUnderTest flow("wcsph", {{"density", 2.0}, {"viscosity", 0.1}, {"expected_speed", 0.7}});
+  Constants constants;
+  flow->constants(constants);
+  EXPECT_EQ(constants.at("density"), 2.0);
+  EXPECT_EQ(constants.at("viscosity"), 0.1);
+  Scales scales;
+  flow->scales(scales);
+  EXPECT_EQ(scales.speed, 0.7);
+}
+
+}  // namespace
