@@ -1,0 +1,85 @@
+#include "field/field.hpp"
+
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+
+namespace {
+
+using namespace mesogen;
+
+TEST(Field, KeepsDoublesOfIntegratedFieldsInSinglePrecision) {
+  Field field("u", 2, Precision::single_precision, true);
+  field.resize(3, 0);
+  field.set(1, 2, 1.0 + 1e-12);
+  EXPECT_EQ(field.value(1, 2), 1.0 + 1e-12);
+  EXPECT_EQ(field.master()(1, 2), 1.0 + 1e-12);
+  EXPECT_EQ(field.view<float>()(1, 2), 1.0F);
+  EXPECT_FALSE(field.is_double());
+}
+
+TEST(Field, HoldsFloatsAloneOtherwise) {
+  Field field("p", 1, Precision::single_precision, false);
+  field.resize(2, 0);
+  field.set(0, 1, 1.0 + 1e-12);
+  EXPECT_EQ(field.value(0, 1), 1.0);
+  EXPECT_EQ(field.master().base, nullptr);
+}
+
+TEST(Field, KeepsValuesWhenItGrows) {
+  Field field("u", 2, Precision::double_precision, false);
+  field.resize(3, 0);
+  for (int c = 0; c < 2; ++c)
+    for (Index i = 0; i < 3; ++i) field.set(c, i, 10.0 * c + i);
+  field.resize(3, 1000);
+  for (int c = 0; c < 2; ++c)
+    for (Index i = 0; i < 3; ++i) EXPECT_EQ(field.value(c, i), 10.0 * c + i);
+}
+
+TEST(Field, PermutesAllComponentsAndTheMaster) {
+  Field field("u", 2, Precision::single_precision, true);
+  field.resize(4, 0);
+  for (int c = 0; c < 2; ++c)
+    for (Index i = 0; i < 4; ++i) field.set(c, i, 10.0 * c + i + 1e-13);
+  const auto before = field.version;
+  field.permute({2, 0, 3, 1});
+  EXPECT_GT(field.version, before);
+  const Index from[] = {2, 0, 3, 1};
+  for (int c = 0; c < 2; ++c) {
+    for (Index n = 0; n < 4; ++n) {
+      EXPECT_EQ(field.value(c, n), 10.0 * c + from[n] + 1e-13);
+      EXPECT_EQ(field.view<float>()(c, n), static_cast<float>(10.0 * c + from[n] + 1e-13));
+    }
+  }
+}
+
+TEST(Field, ZeroingLeavesNothing) {
+  Field field("a", 2, Precision::double_precision, false);
+  field.resize(3, 2);
+  for (int c = 0; c < 2; ++c)
+    for (Index i = 0; i < 3; ++i) field.set(c, i, 1.0);
+  field.fill_zero();
+  for (int c = 0; c < 2; ++c)
+    for (Index i = 0; i < 3; ++i) EXPECT_EQ(field.value(c, i), 0.0);
+}
+
+TEST(FieldStore, FindsByNameAndRefusesTwins) {
+  FieldStore store;
+  store.add(std::make_unique<Field>("u", 1, Precision::double_precision, false));
+  EXPECT_NE(store.find("u"), nullptr);
+  EXPECT_EQ(store.find("v"), nullptr);
+  try {
+    (void)store.at("v");
+    FAIL();
+  } catch (const std::logic_error& error) {
+    EXPECT_STREQ(error.what(), "there is no field 'v'");
+  }
+  try {
+    store.add(std::make_unique<Field>("u", 1, Precision::double_precision, false));
+    FAIL();
+  } catch (const std::logic_error& error) {
+    EXPECT_STREQ(error.what(), "field 'u' exists already");
+  }
+}
+
+}  // namespace

@@ -1,0 +1,130 @@
+#include "schedule/step_graph.hpp"
+
+#include <gtest/gtest.h>
+
+#include "graph_fixture.hpp"
+
+namespace {
+
+using namespace mesogen;
+using namespace mesogen::test;
+using Titles = std::vector<std::string>;
+
+// Declared in the wrong order on purpose: what counts is who reads what.
+TEST(StepGraph, OrdersWritersBeforeAddersBeforeReaders) {
+  GraphFixture all;
+  PassList& flow = all.plugin("physics.flow");
+  flow.field("velocity", Rank::vector).predicted_by("acceleration");
+  flow.field("acceleration", Rank::vector);
+  flow.field("pressure", Rank::scalar);
+  flow.pass("momentum").reads_neighbours({"pressure"}).accumulates({"acceleration"});
+  flow.pass("state").writes({"pressure"});
+  PassList& drive = all.plugin("physics.drive");
+  drive.pass("drive").accumulates({"acceleration"});
+  PassList& start = all.plugin("physics.start");
+  start.pass("gravity").writes({"acceleration"});
+  const StepGraph graph = all.graph();
+  EXPECT_EQ(titles(graph), (Titles{"physics.flow: state", "physics.start: gravity", "physics.flow: momentum",
+                                   "physics.drive: drive"}));
+  EXPECT_TRUE(titles(graph, Phase::begin).empty());
+}
+
+TEST(StepGraph, AddersKeepTheOrderOfTheCase) {
+  const auto order = [](const Titles& instances) {
+    GraphFixture all;
+    PassList& flow = all.plugin("flow");
+    flow.field("u", Rank::vector).predicted_by("a");
+    flow.field("a", Rank::vector);
+    for (const std::string& instance : instances) all.plugin(instance).pass("force").accumulates({"a"});
+    return titles(all.graph());
+  };
+  EXPECT_EQ(order({"b", "a"}), (Titles{"b: force", "a: force"}));
+  EXPECT_EQ(order({"a", "b"}), (Titles{"a: force", "b: force"}));
+}
+
+TEST(StepGraph, ReaderOfAGradientWaitsForItsSource) {
+  GraphFixture all;
+  PassList& one = all.plugin("one");
+  one.field("u", Rank::vector).predicted_by("a");
+  one.field("a", Rank::vector);
+  one.field("stress", Rank::matrix);
+  one.pass("force").reads({"stress_gradient"}).accumulates({"a"});
+  one.pass("stress").reads({"u_gradient"}).writes({"stress"});
+  const StepGraph graph = all.graph();
+  EXPECT_EQ(titles(graph), (Titles{"one: stress", "one: force"}));
+  EXPECT_EQ(graph.derived_for_integration(), (std::set<std::string>{"stress_gradient", "u_gradient"}));
+}
+
+TEST(StepGraph, StatesMayBeReadAndAdvancedInALoop) {
+  GraphFixture all;
+  PassList& one = all.plugin("one");
+  one.field("a", Rank::scalar).advanced_by("a_rate");
+  one.field("b", Rank::scalar).advanced_by("b_rate");
+  one.field("a_rate", Rank::scalar);
+  one.field("b_rate", Rank::scalar);
+  one.pass("first").reads({"b"}).writes({"a_rate"});
+  one.pass("second").reads({"a"}).writes({"b_rate"});
+  EXPECT_EQ(titles(all.graph()), (Titles{"one: first", "one: second"}));
+}
+
+TEST(StepGraph, PrunesWhatNobodyNeeds) {
+  GraphFixture all;
+  PassList& one = all.plugin("one");
+  one.field("q", Rank::scalar).advanced_by("q_rate");
+  one.field("q_rate", Rank::scalar);
+  one.field("seen", Rank::scalar);
+  one.field("idle", Rank::scalar);
+  one.pass("rate").reads({"q"}).writes({"q_rate"});
+  one.pass("for the observer").reads({"q_laplacian"}).writes({"seen"});
+  one.pass("for nobody").reads({"q_gradient"}).writes({"idle"});
+  all.reader("observers.area", {"seen"});
+  const StepGraph graph = all.graph();
+  ASSERT_EQ(graph.works().size(), 3U);
+  EXPECT_TRUE(graph.works()[0].for_integration);
+  EXPECT_FALSE(graph.works()[1].for_integration);
+  EXPECT_TRUE(graph.works()[1].for_observer[0]);
+  EXPECT_FALSE(graph.works()[1].pruned());
+  EXPECT_TRUE(graph.works()[2].pruned());
+  EXPECT_EQ(titles(graph), (Titles{"one: rate", "one: for the observer"}));
+  EXPECT_TRUE(graph.derived_for_integration().empty());
+  EXPECT_EQ(graph.derived_for_reader(0), std::set<std::string>{"q_laplacian"});
+  const std::string text = graph.text();
+  EXPECT_NE(text.find("one: for the observer   (only when due: observers.area)"), std::string::npos) << text;
+  EXPECT_NE(text.find("pruned: one: for nobody (nobody needs what it makes)"), std::string::npos) << text;
+  EXPECT_NE(text.find("nothing moves: neighbours are found once"), std::string::npos) << text;
+}
+
+TEST(StepGraph, OptionalReadsCountOnlyWhereTheSceneHasThem) {
+  for (const bool flows : {false, true}) {
+    GraphFixture all;
+    PassList& one = all.plugin("nematic");
+    one.field("q", Rank::scalar).advanced_by("q_rate");
+    one.field("q_rate", Rank::scalar);
+    one.pass("rate").reads_if_present({"u_gradient"}).writes({"q_rate"});
+    if (flows) {
+      PassList& flow = all.plugin("flow");
+      flow.field("u", Rank::vector).predicted_by("a");
+      flow.field("a", Rank::vector);
+      flow.pass("momentum").accumulates({"a"});
+    }
+    EXPECT_EQ(all.graph().derived_for_integration().contains("u_gradient"), flows);
+  }
+}
+
+TEST(StepGraph, ShiftThatNobodyAddsToMovesNothing) {
+  for (const bool shifts : {false, true}) {
+    GraphFixture all;
+    PassList& flow = all.plugin("flow");
+    flow.field("u", Rank::vector).predicted_by("a");
+    flow.field("a", Rank::vector);
+    flow.field("s", Rank::vector);
+    flow.moves_particles("u", "s");
+    flow.pass("momentum").accumulates({"a"});
+    if (shifts) flow.pass("shift").accumulates({"s"});
+    const StepGraph graph = all.graph();
+    EXPECT_EQ(graph.velocity(), "u");
+    EXPECT_EQ(graph.shift(), shifts ? "s" : "");
+  }
+}
+
+}  // namespace

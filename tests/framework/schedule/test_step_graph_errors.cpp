@@ -1,0 +1,90 @@
+#include <gtest/gtest.h>
+
+#include "graph_fixture.hpp"
+
+namespace {
+
+using namespace mesogen;
+using namespace mesogen::test;
+
+TEST(StepGraphErrors, TwoWritersAreNamed) {
+  GraphFixture all;
+  PassList& one = all.plugin("physics.one");
+  one.field("stress", Rank::matrix);
+  one.pass("stress").writes({"stress"});
+  all.plugin("physics.two").pass("other stress").writes({"stress"});
+  EXPECT_EQ(all.refusal(),
+            "field 'stress' has two writers: 'physics.one: stress' and 'physics.two: other stress'. Remove one of them "
+            "from the case, or let both accumulate");
+}
+
+TEST(StepGraphErrors, WritersInDifferentPhasesAreNoConflict) {
+  GraphFixture all;
+  PassList& one = all.plugin("one");
+  one.field("stress", Rank::matrix);
+  one.pass("early", Phase::begin).writes({"stress"});
+  one.pass("late", Phase::end).writes({"stress"});
+  EXPECT_EQ(all.refusal(), "no error");
+}
+
+TEST(StepGraphErrors, TwoPluginsWithOneFieldAreNamed) {
+  GraphFixture all;
+  all.plugin("physics.one").field("velocity", Rank::vector);
+  all.plugin("physics.two").field("velocity", Rank::vector);
+  EXPECT_EQ(all.refusal(),
+            "field 'velocity' is introduced by both physics.one and physics.two: remove one of them from the case");
+}
+
+TEST(StepGraphErrors, TwoFlowsAreRefused) {
+  GraphFixture all;
+  PassList& one = all.plugin("physics.one");
+  one.field("u", Rank::vector).predicted_by("a");
+  one.field("a", Rank::vector);
+  one.pass("force").accumulates({"a"});
+  one.moves_particles("u");
+  PassList& two = all.plugin("physics.two");
+  two.moves_particles("u");
+  EXPECT_EQ(all.refusal(), "two physics plugins move the particles, the second is physics.two: a case has one flow");
+}
+
+TEST(StepGraphErrors, FieldThatNobodyProvidesIsTracedBack) {
+  GraphFixture all;
+  PassList& one = all.plugin("physics.active");
+  one.field("u", Rank::vector).predicted_by("a");
+  one.field("a", Rank::vector);
+  one.pass("active stress").reads({"order_tensor_gradient"}).accumulates({"a"});
+  EXPECT_EQ(all.refusal(),
+            "nobody in this case provides the field\n"
+            "  'order_tensor', wanted by 'order_tensor_gradient'\n"
+            "  'order_tensor_gradient', wanted by 'physics.active: active stress'\n"
+            "  'a', wanted by the time integration\n"
+            "Add a physics plugin that writes it (`mesogen plugin list`), or remove what wants it");
+}
+
+TEST(StepGraphErrors, ReaderWithoutItsFieldIsNamed) {
+  GraphFixture all;
+  all.reader("observers.flow", {"velocity"});
+  EXPECT_EQ(all.refusal(),
+            "nobody in this case provides the field\n"
+            "  'velocity', wanted by observers.flow\n"
+            "Add a physics plugin that writes it (`mesogen plugin list`), or remove what wants it");
+}
+
+TEST(StepGraphErrors, CycleIsShownEdgeByEdge) {
+  GraphFixture all;
+  PassList& one = all.plugin("physics.one");
+  one.field("q", Rank::scalar).advanced_by("q_rate");
+  one.field("q_rate", Rank::scalar);
+  one.field("a", Rank::scalar);
+  one.field("b", Rank::scalar);
+  one.pass("outside").writes({"q_rate"}).reads({"a"});
+  one.pass("a from b").reads({"b"}).writes({"a"});
+  all.plugin("physics.two").pass("b from a").reads_neighbours({"a_gradient"}).writes({"b"});
+  EXPECT_EQ(all.refusal(),
+            "these passes wait for each other:\n"
+            "  'physics.one: a from b' needs 'b' of 'physics.two: b from a'\n"
+            "  'physics.two: b from a' needs 'a' of 'physics.one: a from b'\n"
+            "Remove one of the plugins from the case");
+}
+
+}  // namespace

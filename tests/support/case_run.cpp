@@ -1,0 +1,120 @@
+#include "case_run.hpp"
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "test_plugins.hpp"
+
+namespace mesogen::test {
+
+namespace {
+
+/// What an observer sees of a run.
+class RunView final : public ObserverContext {
+ public:
+  explicit RunView(World& world) : world_(world) {}
+
+  [[nodiscard]] std::vector<double> values(std::string_view name, int component) const override {
+    std::vector<double> all;
+    for (Index i = 0; i < world_.particles.count(); ++i) all.push_back(world_.fields.at(name).value(component, i));
+    return all;
+  }
+  [[nodiscard]] bool has(std::string_view field) const override { return world_.fields.find(field) != nullptr; }
+  [[nodiscard]] std::vector<double> position(int axis) const override {
+    auto all = world_.particles.position[static_cast<std::size_t>(axis)];
+    const double length = world_.scene.box[static_cast<std::size_t>(axis)];
+    for (double& x : all) x -= std::floor(x / length) * length;
+    return all;
+  }
+  [[nodiscard]] std::vector<double> unwrapped(int axis) const override {
+    const auto d = static_cast<std::size_t>(axis);
+    auto all = world_.particles.position[d];
+    for (std::size_t i = 0; i < all.size(); ++i) all[i] += world_.particles.images[d][i] * world_.scene.box[d];
+    return all;
+  }
+  [[nodiscard]] const std::vector<std::int64_t>& id() const override { return world_.particles.id; }
+  [[nodiscard]] const Scene& scene() const override { return world_.scene; }
+  [[nodiscard]] const sph::SmoothingKernel& kernel() const override { return world_.kernel; }
+  [[nodiscard]] double constant(std::string_view name) const override {
+    const auto at = world_.scene.constants.find(name);
+    return at == world_.scene.constants.end() ? std::numeric_limits<double>::quiet_NaN() : at->second;
+  }
+  [[nodiscard]] double time() const override { return world_.time; }
+  [[nodiscard]] std::int64_t step() const override { return world_.step; }
+
+ private:
+  World& world_;
+};
+
+std::vector<double> by_id(const std::vector<std::int64_t>& id, const std::vector<double>& stored) {
+  std::vector<double> values(stored.size());
+  for (std::size_t i = 0; i < stored.size(); ++i) values[static_cast<std::size_t>(id[i])] = stored[i];
+  return values;
+}
+
+}  // namespace
+
+CaseRun::CaseRun(const CaseText& text) : CaseRun(text, true) {}
+
+CaseRun CaseRun::unstarted(const CaseText& text) { return {text, false}; }
+
+CaseRun::CaseRun(const CaseText& text, bool start) {
+  Problems problems;
+  Case source = read_case_text(text.text(), "test.toml", {}, problems);
+  setup_ = set_up(std::move(source), built_plugins(), problems);
+  stepper_ = std::make_unique<Stepper>(*setup_);
+  nobody_.assign(setup_->observers.size() + 1, false);
+  if (start) stepper_->start();
+}
+
+void CaseRun::run_to(double time) {
+  while (world().time < time) stepper_->advance(stepper_->next_step(time).seconds, nobody_);
+}
+
+void CaseRun::run_steps(int steps) {
+  for (int n = 0; n < steps; ++n) stepper_->advance(stepper_->next_step(setup_->source.time.end).seconds, nobody_);
+}
+
+std::vector<double> CaseRun::field(const std::string& name, int component) {
+  stepper_->executor().prepare(std::vector{name});
+  return by_id(world().particles.id, RunView(world()).values(name, component));
+}
+
+std::vector<double> CaseRun::path(int axis) { return by_id(world().particles.id, RunView(world()).unwrapped(axis)); }
+
+Sample CaseRun::sample(const std::string& name) {
+  const auto observer = built_plugins().make_observer(name);
+  ParameterList list;
+  observer->parameters(list);
+  ObserverPlan plan;
+  observer->plan(world().scene, plan);
+  std::vector<std::string> fields = plan.read_list();
+  for (const std::string& field : plan.optional_list())
+    if (world().fields.find(field) != nullptr) fields.push_back(field);
+  stepper_->executor().prepare(fields);
+  Sample sample;
+  const RunView view(world());
+  observer->start(view);
+  observer->sample(view, sample);
+  return sample;
+}
+
+double CaseRun::observe(const std::string& observer, const std::string& quantity) {
+  return sample(observer).values().at(quantity).at(0);
+}
+
+Wave wave_of(CaseRun& run, const std::vector<double>& values, int mx, int my) {
+  const double k = 2.0 * std::numbers::pi / run.world().scene.box[0];
+  const auto x = run.path(0);
+  const auto y = run.path(1);
+  Wave wave{0.0, 0.0};
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const double phase = k * (mx * x[i] + my * y[i]);
+    wave.cosine += 2.0 * values[i] * std::cos(phase) / static_cast<double>(values.size());
+    wave.sine += 2.0 * values[i] * std::sin(phase) / static_cast<double>(values.size());
+  }
+  return wave;
+}
+
+}  // namespace mesogen::test

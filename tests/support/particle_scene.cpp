@@ -1,0 +1,106 @@
+#include "particle_scene.hpp"
+
+#include <cmath>
+#include <numeric>
+#include <random>
+#include <set>
+
+#include "test_plugins.hpp"
+
+namespace mesogen::test {
+
+namespace {
+
+const std::set<std::string> derived_from_f = {"volume", "correction", "f_gradient", "f_laplacian"};
+
+sph::SmoothingKernel smoothing(const ParticleScene::Options& options) {
+  const double h = options.smoothing_length * options.spacing;
+  const auto shape = built_plugins().make_kernel(options.kernel)->shape();
+  return {shape, h, shape.normalisation(2) / (h * h)};
+}
+
+Scene scene_of(const ParticleScene::Options& options, std::size_t count) {
+  Scene scene;
+  scene.precision = options.precision;
+  scene.box = options.box;
+  scene.spacing = options.spacing;
+  scene.smoothing_length = smoothing(options).smoothing_length;
+  scene.support = smoothing(options).radius();
+  scene.particle_count = static_cast<Index>(count);
+  return scene;
+}
+
+Particles particles_at(const std::array<std::vector<double>, 2>& points) {
+  Particles particles;
+  particles.id.resize(points[0].size());
+  std::iota(particles.id.begin(), particles.id.end(), 0);
+  for (std::size_t d = 0; d < 2; ++d) {
+    particles.position[d] = points[d];
+    particles.images[d].assign(points[d].size(), 0);
+  }
+  return particles;
+}
+
+}  // namespace
+
+ParticleScene::ParticleScene(const Options& options, const std::array<std::vector<double>, 2>& points)
+    : boundary_(built_plugins().make_boundary(options.boundary)),
+      world_(std::make_unique<World>(scene_of(options, points[0].size()), smoothing(options), *boundary_,
+                                     particles_at(points))),
+      catalogue_(2) {
+  FieldDeclaration f;
+  f.name = "f";
+  catalogue_.add_initial(f, "test");
+  world_->add_field("f", 1, false);
+  fields_ = std::make_unique<DerivedFields>(*world_, catalogue_, derived_from_f, std::vector<std::set<std::string>>{});
+  world_->settle();
+}
+
+void ParticleScene::set(const std::function<double(double x, double y)>& function) {
+  Field& f = world_->fields.at("f");
+  const Particles& particles = world_->particles;
+  for (Index i = 0; i < particles.count(); ++i) {
+    const auto n = static_cast<std::size_t>(i);
+    f.set(0, i, function(particles.position[0][n], particles.position[1][n]));
+  }
+  ++f.version;
+}
+
+std::vector<double> ParticleScene::derived(const std::string& name, int component) {
+  world_->settle();
+  fields_->make(name);
+  const Field& field = world_->fields.at(name);
+  const auto& id = world_->particles.id;
+  std::vector<double> values(id.size());
+  for (std::size_t i = 0; i < id.size(); ++i)
+    values[static_cast<std::size_t>(id[i])] = field.value(component, static_cast<Index>(i));
+  return values;
+}
+
+void ParticleScene::move(const std::function<std::array<double, 2>(std::int64_t id)>& by) {
+  Particles& particles = world_->particles;
+  for (std::size_t i = 0; i < particles.id.size(); ++i) {
+    const auto shift = by(particles.id[i]);
+    for (std::size_t d = 0; d < 2; ++d) particles.position[d][i] += shift[d];
+  }
+  world_->mark_moved();
+}
+
+std::array<std::vector<double>, 2> lattice(int columns, int rows, double spacing) {
+  return jittered(columns, rows, spacing, 0.0);
+}
+
+std::array<std::vector<double>, 2> jittered(int columns, int rows, double spacing, double shift, unsigned seed) {
+  std::mt19937_64 random(seed);
+  const auto moved = [&] { return shift * (2.0 * std::generate_canonical<double, 53>(random) - 1.0); };
+  std::array<std::vector<double>, 2> points;
+  for (int j = 0; j < rows; ++j) {
+    for (int i = 0; i < columns; ++i) {
+      points[0].push_back((i + 0.5 + moved()) * spacing);
+      points[1].push_back((j + 0.5 + moved()) * spacing);
+    }
+  }
+  return points;
+}
+
+}  // namespace mesogen::test

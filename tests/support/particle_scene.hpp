@@ -1,0 +1,51 @@
+#pragma once
+
+#include <array>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "schedule/catalogue.hpp"
+#include "schedule/derived_fields.hpp"
+#include "schedule/world.hpp"
+
+namespace mesogen::test {
+
+/// Particles of a test in a box, with one scalar field "f" and all that the framework derives from it.
+class ParticleScene {
+ public:
+  struct Options {
+    std::array<double, 3> box{1.0, 1.0, 0.0};
+    double spacing = 0.05;
+    double smoothing_length = 4.0 / 3.0;  ///< in spacings
+    std::string kernel = "quintic";
+    std::string boundary = "periodic_ghosts";
+    Precision precision = Precision::double_precision;
+  };
+
+  /// `points`: coordinates by axis, m; the n-th gets id n.
+  ParticleScene(const Options& options, const std::array<std::vector<double>, 2>& points);
+
+  /// f = function(x, y) at the particles' coordinates, as they are stored.
+  void set(const std::function<double(double x, double y)>& function);
+  /// Component of "volume", "correction", "f_gradient" or "f_laplacian", by id.
+  [[nodiscard]] std::vector<double> derived(const std::string& field, int component = 0);
+  /// Moves every particle by (x, y)(id), m.
+  void move(const std::function<std::array<double, 2>(std::int64_t id)>& by);
+
+  [[nodiscard]] World& world() { return *world_; }
+
+ private:
+  std::unique_ptr<Boundary> boundary_;
+  std::unique_ptr<World> world_;
+  Catalogue catalogue_;
+  std::unique_ptr<DerivedFields> fields_;
+};
+
+/// Coordinates of a square lattice (cell centres, id = row * columns + column), m.
+std::array<std::vector<double>, 2> lattice(int columns, int rows, double spacing);
+/// The same, each point moved by up to `shift` spacings along each axis, at random.
+std::array<std::vector<double>, 2> jittered(int columns, int rows, double spacing, double shift, unsigned seed = 1);
+
+}  // namespace mesogen::test
