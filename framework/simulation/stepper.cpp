@@ -28,6 +28,10 @@ Particles initial_particles(const Arrangement& arrangement, int dimension) {
 // How far a particle may go in one step, in spacings, before the run has plainly run away.
 constexpr double farthest = 0.5;
 
+// The automatic step follows a flow that runs away and would never let it arrive: it is given up when motion asks for
+// steps this much shorter than the plugins' limits.
+constexpr double shortest = 1e-3;
+
 }  // namespace
 
 Stepper::Stepper(Setup& setup)
@@ -152,6 +156,15 @@ void Stepper::check(const Motion& motion, double step_size) {
                 "the run ran away: the largest speed of " + number_text(motion.fastest) +
                     " m/s carries a particle over " + number_text(farthest) + " spacings in one step" + when +
                     ". Take a smaller time.step, or leave it to \"auto\"; the frames before are kept");
+  if (control_.fixed() || !std::isfinite(control_.at_rest())) return;
+  const auto [next, limit] = control_.choose(motion.fastest, motion.largest_acceleration);
+  if (next < shortest * control_.at_rest())
+    throw Error(ExitCode::run_failed,
+                "the run ran away: the largest speed of " + number_text(motion.fastest) + " m/s and acceleration of " +
+                    number_text(motion.largest_acceleration) + " m/s2 ask for steps of " + number_text(next) + " s (" +
+                    limit + "), where the fluid at rest allows " + number_text(control_.at_rest()) + " s" + when +
+                    ". Take a smaller step (time.factor = 0.5), more particles, or a smaller "
+                    "activity; the frames before are kept");
 }
 
 std::vector<std::string> Stepper::kept_fields() const {

@@ -20,6 +20,8 @@ class MESOGEN_EXPORT StepControl {
     std::string limit;  ///< what binds
   };
   [[nodiscard]] Choice choose(double fastest, double largest_acceleration) const;
+  /// What the plugins' limits alone allow, s; infinite if there are none.
+  [[nodiscard]] double at_rest() const { return choose(0.0, 0.0).seconds; }
   /// All limits that stay the same over the run.
   [[nodiscard]] const StepLimits& limits() const { return limits_; }
   [[nodiscard]] bool fixed() const { return fixed_.has_value(); }

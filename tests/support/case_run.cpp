@@ -69,7 +69,11 @@ CaseRun::CaseRun(const CaseText& text, bool start) {
 }
 
 void CaseRun::run_to(double time) {
-  while (world().time < time) stepper_->advance(stepper_->next_step(time).seconds, nobody_);
+  while (world().time < time) {
+    const double step = stepper_->next_step(time).seconds;
+    const bool last = step >= time - world().time;
+    stepper_->advance(step, nobody_, last ? time : world().time + step);
+  }
 }
 
 void CaseRun::run_steps(int steps) {

@@ -29,11 +29,11 @@ class GraphFixture {
     return {catalogue_, members, readers_};
   }
   /// What it says instead of making a graph.
-  [[nodiscard]] std::string refusal() {
+  [[nodiscard]] std::string refusal(ExitCode code = ExitCode::bad_case) {
     try {
       (void)graph();
     } catch (const Error& error) {
-      return error.code() == ExitCode::bad_case ? error.what() : "another exit code";
+      return error.code() == code ? error.what() : "another exit code";
     }
     return "no error";
   }

@@ -47,8 +47,9 @@ TEST(StepGraphErrors, TwoFlowsAreRefused) {
   EXPECT_EQ(all.refusal(), "two physics plugins move the particles, the second is physics.two: a case has one flow");
 }
 
-TEST(StepGraphErrors, FieldThatNobodyProvidesIsTracedBack) {
+TEST(StepGraphErrors, FieldThatNobodyWritesIsTracedBack) {
   GraphFixture all;
+  all.plugin("physics.nematic").field("order_tensor", Rank::order_tensor);
   PassList& one = all.plugin("physics.active");
   one.field("u", Rank::vector).predicted_by("a");
   one.field("a", Rank::vector);
@@ -59,6 +60,33 @@ TEST(StepGraphErrors, FieldThatNobodyProvidesIsTracedBack) {
             "  'order_tensor_gradient', wanted by 'physics.active: active stress'\n"
             "  'a', wanted by the time integration\n"
             "Add a physics plugin that writes it (`mesogen plugin list`), or remove what wants it");
+}
+
+TEST(StepGraphErrors, PluginThatCanDoNothingIsNamed) {
+  const auto refusal = [](const auto& declare) {
+    GraphFixture all;
+    declare(all.plugin("physics.mine").pass("work"));
+    return all.refusal();
+  };
+  const std::string mend =
+      ", which no plugin of this case introduces. Add one that does (`mesogen plugin info` tells), or remove "
+      "'physics.mine'";
+  EXPECT_EQ(refusal([](Pass& pass) { pass.reads({"q_gradient"}); }), "'physics.mine: work' reads 'q_gradient'" + mend);
+  EXPECT_EQ(refusal([](Pass& pass) { pass.reads_neighbours({"q"}); }), "'physics.mine: work' reads 'q'" + mend);
+  EXPECT_EQ(refusal([](Pass& pass) { pass.writes({"q"}); }), "'physics.mine: work' writes 'q'" + mend);
+  EXPECT_EQ(refusal([](Pass& pass) { pass.accumulates({"a"}); }), "'physics.mine: work' adds to 'a'" + mend);
+}
+
+TEST(StepGraphErrors, StatesAreNotWritten) {
+  GraphFixture all;
+  PassList& one = all.plugin("physics.one");
+  one.field("q", Rank::scalar).advanced_by("q_rate");
+  one.field("q_rate", Rank::scalar);
+  one.pass("rate").writes({"q_rate"});
+  one.pass("reset").writes({"q"});
+  EXPECT_EQ(all.refusal(ExitCode::plugin_refused),
+            "'physics.one: reset' writes 'q', which keeps its value from step to step: add to its rate of change "
+            "instead");
 }
 
 TEST(StepGraphErrors, ReaderWithoutItsFieldIsNamed) {

@@ -32,7 +32,7 @@ TEST(Guard, AbsurdStepRunsAway) {
   expect_contains(text, "Take a smaller time.step, or leave it to \"auto\"; the frames before are kept");
 }
 
-TEST(Guard, NotANumberIsNamedByFieldParticleAndTime) {
+TEST(Guard, WhatIsNotFiniteIsNamedByFieldParticleAndTime) {
   for (const char* const precision : {"single", "double"}) {
     CaseRun run(active_scene(precision).section("time", "end = 1e6\nstep = 0.002"));
     run.run_steps(4);
@@ -43,7 +43,7 @@ TEST(Guard, NotANumberIsNamedByFieldParticleAndTime) {
     ++q.version;
     const std::string text = failure(run, 1);
     expect_contains(text, "the run broke down: '");
-    expect_contains(text, "' is not a number at particle ");
+    expect_contains(text, "' is not finite at particle ");
     expect_contains(text, " at t = 0.01 s (step 5, step size 0.002 s)");
     expect_contains(text,
                     "Take a smaller step (time.factor = 0.5, or time.step), more particles, or a smaller "
@@ -58,7 +58,7 @@ TEST(Guard, UnstableRelaxationBreaksDown) {
   CaseRun run(text);
   const std::string message = failure(run, 2000);
   expect_contains(message, "the run broke down: 'order_tensor");
-  expect_contains(message, "' is not a number at particle ");
+  expect_contains(message, "' is not finite at particle ");
 }
 
 TEST(Guard, AutomaticStepNeedsNoGuard) {

@@ -29,6 +29,7 @@ TEST(StepControl, SmallestLimitOfThePluginsBindsAndIsNamed) {
   EXPECT_EQ(choice.seconds, 0.01);
   EXPECT_EQ(choice.limit, "viscosity");
   EXPECT_FALSE(control.fixed());
+  EXPECT_EQ(control.at_rest(), 0.01);
   EXPECT_EQ(control.limits().all().size(), 2U);
 }
 
