@@ -1,63 +1,34 @@
 #include "simulation/observation.hpp"
 
+#include <algorithm>
 #include <cmath>
-#include <limits>
+
+#include "simulation/world_view.hpp"
 
 namespace mesogen {
 
 namespace {
 
-class WorldView final : public ObserverContext {
+/// Lets an observer read what it declared, and while it follows every step states alone: nothing else is brought up to
+/// date for it then.
+class DeclaredView final : public WorldView {
  public:
-  /// While it follows every step an observer may read states alone: nothing else is brought up to date for it then.
-  WorldView(World& world, const Setup& setup, const Setup::ObserverMember& observer, bool following)
-      : world_(world), setup_(setup), observer_(observer), following_(following) {}
+  DeclaredView(const World& world, const Setup& setup, const Setup::ObserverMember& observer, bool following)
+      : WorldView(world), setup_(setup), observer_(observer), following_(following) {}
 
   [[nodiscard]] std::vector<double> values(std::string_view name, int component) const override {
     const auto& declared = observer_.fields;
+    const std::string reads = "observer '" + observer_.instance + "' reads the field '" + std::string(name) + "'";
     if (std::find(declared.begin(), declared.end(), name) == declared.end())
-      throw Error(ExitCode::plugin_refused, "observer '" + observer_.instance + "' reads the field '" +
-                                                std::string(name) + "', which it did not declare: name it in plan()");
+      throw Error(ExitCode::plugin_refused, reads + ", which it did not declare: name it in plan()");
     if (following_ && !setup_.catalogue.is_state(name))
-      throw Error(ExitCode::plugin_refused, "observer '" + observer_.instance + "' reads the field '" +
-                                                std::string(name) +
-                                                "' in follow(): only fields that are advanced in time "
-                                                "are up to date after every step; read it in sample()");
-    const Field& field = world_.fields.at(name);
-    std::vector<double> all(world_.particles.id.size());
-#pragma omp parallel for schedule(static)
-    for (Index i = 0; i < world_.particles.count(); ++i) all[static_cast<std::size_t>(i)] = field.value(component, i);
-    return all;
+      throw Error(ExitCode::plugin_refused, reads +
+                                                " in follow(): only fields that are advanced in time are up to date "
+                                                "after every step; read it in sample()");
+    return WorldView::values(name, component);
   }
-  [[nodiscard]] bool has(std::string_view field) const override { return world_.fields.find(field) != nullptr; }
-  [[nodiscard]] std::vector<double> position(int axis) const override {
-    std::vector<double> all(world_.particles.id.size());
-    for (std::size_t i = 0; i < all.size(); ++i) {
-      std::array<double, 3> at{};
-      std::array<std::int32_t, 3> images{};
-      for (int d = 0; d < world_.scene.dimension; ++d) at[d] = world_.particles.position[d][i];
-      world_.boundary.keep_inside(world_.scene, at.data(), images.data());
-      all[i] = at[axis];
-    }
-    return all;
-  }
-  [[nodiscard]] std::vector<double> unwrapped(int axis) const override {
-    std::vector<double> all = world_.particles.position[axis];
-    for (std::size_t i = 0; i < all.size(); ++i) all[i] += world_.particles.images[axis][i] * world_.scene.box[axis];
-    return all;
-  }
-  [[nodiscard]] const std::vector<std::int64_t>& id() const override { return world_.particles.id; }
-  [[nodiscard]] const Scene& scene() const override { return world_.scene; }
-  [[nodiscard]] const sph::SmoothingKernel& kernel() const override { return world_.kernel; }
-  [[nodiscard]] double constant(std::string_view name) const override {
-    const auto at = world_.scene.constants.find(name);
-    return at == world_.scene.constants.end() ? std::numeric_limits<double>::quiet_NaN() : at->second;
-  }
-  [[nodiscard]] double time() const override { return world_.time; }
-  [[nodiscard]] std::int64_t step() const override { return world_.step; }
 
  private:
-  World& world_;
   const Setup& setup_;
   const Setup::ObserverMember& observer_;
   bool following_;
@@ -87,7 +58,7 @@ void Observation::declare(ResultsWriter& results) const {
 void Observation::start() {
   for (const auto& member : stepper_.setup().observers) {
     stepper_.executor().prepare(member.fields);
-    member.plugin->start(WorldView(stepper_.world(), stepper_.setup(), member, false));
+    member.plugin->start(DeclaredView(stepper_.world(), stepper_.setup(), member, false));
   }
 }
 
@@ -103,9 +74,9 @@ void Observation::observe(const std::vector<bool>& due, ResultsWriter& results) 
   for (std::size_t n = 0; n < members.size(); ++n) {
     const auto& member = members[n];
     if (member.plan.follows() && world.step > 0)
-      member.plugin->follow(WorldView(world, stepper_.setup(), member, true));
+      member.plugin->follow(DeclaredView(world, stepper_.setup(), member, true));
     if (!due[n]) continue;
-    const WorldView view(world, stepper_.setup(), member, false);
+    const DeclaredView view(world, stepper_.setup(), member, false);
     stepper_.executor().prepare(member.fields);
     Sample sample;
     member.plugin->sample(view, sample);

@@ -109,6 +109,7 @@ class Run {
       keep_samples(results);
       throw;
     }
+    const double stepping = seconds_since(begun);
     progress_.finish(world.time, world.step);
     write_checkpoint(results);
     if (world.time < end()) {
@@ -117,7 +118,7 @@ class Run {
       return ExitCode::interrupted;
     }
     results.finish();
-    report(world.step - first, seconds_since(begun));
+    report(world.step - first, stepping);
     return ExitCode::done;
   }
 

@@ -156,10 +156,9 @@ class Pathlines final : public Observer {
     find(context.id());
     const auto dimension = static_cast<std::size_t>(context.scene().dimension);
     std::vector<double> path(id_.size() * dimension);
-    for (std::size_t d = 0; d < dimension; ++d) {
-      const auto unwrapped = context.unwrapped(static_cast<int>(d));
-      for (std::size_t i = 0; i < id_.size(); ++i) path[i * dimension + d] = unwrapped[place_[i]];
-    }
+    for (std::size_t i = 0; i < id_.size(); ++i)
+      for (std::size_t d = 0; d < dimension; ++d)
+        path[i * dimension + d] = context.unwrapped_at(static_cast<int>(d), place_[i]);
     return path;
   }
 

@@ -85,6 +85,8 @@ class MESOGEN_EXPORT ObserverContext {
   [[nodiscard]] virtual std::vector<double> position(int axis) const = 0;
   /// Coordinates along the particle's path, without jumps at the faces.
   [[nodiscard]] virtual std::vector<double> unwrapped(int axis) const = 0;
+  /// The same of one particle, by its place in storage: for those who follow a few at every step.
+  [[nodiscard]] virtual double unwrapped_at(int axis, std::size_t place) const = 0;
   [[nodiscard]] virtual const std::vector<std::int64_t>& id() const = 0;
   [[nodiscard]] virtual const Scene& scene() const = 0;
   [[nodiscard]] virtual const sph::SmoothingKernel& kernel() const = 0;

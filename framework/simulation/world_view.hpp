@@ -1,0 +1,34 @@
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "mesogen/export.hpp"
+#include "mesogen/plugin/observer.hpp"
+#include "schedule/world.hpp"
+
+namespace mesogen {
+
+/// A world as observers see it. Whether a field is up to date is for the maker of the view to see to.
+class MESOGEN_EXPORT WorldView : public ObserverContext {
+ public:
+  explicit WorldView(const World& world) : world_(world) {}
+  ~WorldView() override;
+
+  [[nodiscard]] std::vector<double> values(std::string_view field, int component) const override;
+  [[nodiscard]] bool has(std::string_view field) const override { return world_.fields.find(field) != nullptr; }
+  [[nodiscard]] std::vector<double> position(int axis) const override;
+  [[nodiscard]] std::vector<double> unwrapped(int axis) const override;
+  [[nodiscard]] double unwrapped_at(int axis, std::size_t place) const override;
+  [[nodiscard]] const std::vector<std::int64_t>& id() const override { return world_.particles.id; }
+  [[nodiscard]] const Scene& scene() const override { return world_.scene; }
+  [[nodiscard]] const sph::SmoothingKernel& kernel() const override { return world_.kernel; }
+  [[nodiscard]] double constant(std::string_view name) const override;
+  [[nodiscard]] double time() const override { return world_.time; }
+  [[nodiscard]] std::int64_t step() const override { return world_.step; }
+
+ private:
+  const World& world_;
+};
+
+}  // namespace mesogen
