@@ -1,51 +1,14 @@
 #include "case_run.hpp"
 
 #include <cmath>
-#include <limits>
 #include <numbers>
 
+#include "simulation/world_view.hpp"
 #include "test_plugins.hpp"
 
 namespace mesogen::test {
 
 namespace {
-
-/// What an observer sees of a run.
-class RunView final : public ObserverContext {
- public:
-  explicit RunView(World& world) : world_(world) {}
-
-  [[nodiscard]] std::vector<double> values(std::string_view name, int component) const override {
-    std::vector<double> all;
-    for (Index i = 0; i < world_.particles.count(); ++i) all.push_back(world_.fields.at(name).value(component, i));
-    return all;
-  }
-  [[nodiscard]] bool has(std::string_view field) const override { return world_.fields.find(field) != nullptr; }
-  [[nodiscard]] std::vector<double> position(int axis) const override {
-    auto all = world_.particles.position[static_cast<std::size_t>(axis)];
-    const double length = world_.scene.box[static_cast<std::size_t>(axis)];
-    for (double& x : all) x -= std::floor(x / length) * length;
-    return all;
-  }
-  [[nodiscard]] std::vector<double> unwrapped(int axis) const override {
-    const auto d = static_cast<std::size_t>(axis);
-    auto all = world_.particles.position[d];
-    for (std::size_t i = 0; i < all.size(); ++i) all[i] += world_.particles.images[d][i] * world_.scene.box[d];
-    return all;
-  }
-  [[nodiscard]] const std::vector<std::int64_t>& id() const override { return world_.particles.id; }
-  [[nodiscard]] const Scene& scene() const override { return world_.scene; }
-  [[nodiscard]] const sph::SmoothingKernel& kernel() const override { return world_.kernel; }
-  [[nodiscard]] double constant(std::string_view name) const override {
-    const auto at = world_.scene.constants.find(name);
-    return at == world_.scene.constants.end() ? std::numeric_limits<double>::quiet_NaN() : at->second;
-  }
-  [[nodiscard]] double time() const override { return world_.time; }
-  [[nodiscard]] std::int64_t step() const override { return world_.step; }
-
- private:
-  World& world_;
-};
 
 std::vector<double> by_id(const std::vector<std::int64_t>& id, const std::vector<double>& stored) {
   std::vector<double> values(stored.size());
@@ -82,10 +45,10 @@ void CaseRun::run_steps(int steps) {
 
 std::vector<double> CaseRun::field(const std::string& name, int component) {
   stepper_->executor().prepare(std::vector{name});
-  return by_id(world().particles.id, RunView(world()).values(name, component));
+  return by_id(world().particles.id, WorldView(world()).values(name, component));
 }
 
-std::vector<double> CaseRun::path(int axis) { return by_id(world().particles.id, RunView(world()).unwrapped(axis)); }
+std::vector<double> CaseRun::path(int axis) { return by_id(world().particles.id, WorldView(world()).unwrapped(axis)); }
 
 Sample CaseRun::sample(const std::string& name) {
   const auto observer = built_plugins().make_observer(name);
@@ -98,7 +61,7 @@ Sample CaseRun::sample(const std::string& name) {
     if (world().fields.find(field) != nullptr) fields.push_back(field);
   stepper_->executor().prepare(fields);
   Sample sample;
-  const RunView view(world());
+  const WorldView view(world());
   observer->start(view);
   observer->sample(view, sample);
   return sample;
