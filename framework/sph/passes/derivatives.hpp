@@ -26,16 +26,19 @@ struct DerivativePass {
   [[gnu::always_inline]] MESOGEN_HOST_DEVICE void pair(const Own& own, const Pair& p, Lane* sum) const {
     const Lane g = p.load(wanted.volume) * p.gradient();
     Lane weight[Dim];
-    for (int d = 0; d < Dim; ++d) weight[d] = g * p.separation[d];
-    Lane* s = sum;
-    for (int a = 0; a < Dim; ++a)
-      for (int b = a; b < Dim; ++b, ++s) *s = *s - weight[a] * p.separation[b];
-    for (int n = 0; n < Count; ++n) {
+    exec::unroll<Dim>([&](auto d) { weight[d] = g * p.separation[d]; });
+    exec::unroll<Dim>([&](auto a) {
+      exec::unroll<Dim - a>([&](auto offset) {
+        constexpr int n = symmetric_index<Dim>(a, a + offset);
+        sum[n] = sum[n] - weight[a] * p.separation[a + offset];
+      });
+    });
+    exec::unroll<Count>([&](auto n) {
+      constexpr int at = alpha + n * (1 + Dim);
       const Lane difference = p.load({wanted.source[n], 0}) - Lane(own.value[n]);
-      *s = *s - difference * g;
-      ++s;
-      for (int d = 0; d < Dim; ++d, ++s) *s = *s + difference * weight[d];
-    }
+      sum[at] = sum[at] - difference * g;
+      exec::unroll<Dim>([&](auto d) { sum[at + 1 + d] = sum[at + 1 + d] + difference * weight[d]; });
+    });
   }
 
   MESOGEN_HOST_DEVICE void finish(Index i, const Own&, const Real* sum) const {

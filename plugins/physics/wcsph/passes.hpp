@@ -60,10 +60,10 @@ struct FilterAndShift {
     sum[neighbours] = sum[neighbours] + p.inside(Lane(Real(1)));
     sum[distances] = sum[distances] + p.inside(p.distance);
     const Lane cube = inverse * inverse * inverse;
-    for (int d = 0; d < Dim; ++d) {
+    exec::unroll<Dim>([&](auto d) {
       sum[weighted_velocity + d] = sum[weighted_velocity + d] + w * (Lane(own.velocity[d]) - p.load(velocity, d));
       sum[push + d] = sum[push + d] + cube * p.separation[d];
-    }
+    });
   }
 
   MESOGEN_HOST_DEVICE void finish(Index i, const Own& own, const Real* sum) const {
@@ -126,13 +126,13 @@ struct Momentum {
   [[gnu::always_inline]] MESOGEN_HOST_DEVICE void pair(const Own& own, const Pair& p, Lane* sum) const {
     const Lane g = p.load(volume) * p.gradient();
     const Lane push = g * (p.load(pressure_term) + Lane(own.pressure_term));
-    for (int d = 0; d < Dim; ++d) sum[d] = sum[d] + push * p.separation[d];
+    exec::unroll<Dim>([&](auto d) { sum[d] = sum[d] + push * p.separation[d]; });
     if constexpr (Radial) {
       Lane approach(Real(0));
-      for (int d = 0; d < Dim; ++d)
-        approach = approach + (Lane(own.velocity[d]) - p.load(velocity, d)) * p.separation[d];
+      exec::unroll<Dim>(
+          [&](auto d) { approach = approach + (Lane(own.velocity[d]) - p.load(velocity, d)) * p.separation[d]; });
       const Lane drag = g * approach * p.inverse_distance * p.inverse_distance;
-      for (int d = 0; d < Dim; ++d) sum[Dim + d] = sum[Dim + d] + drag * p.separation[d];
+      exec::unroll<Dim>([&](auto d) { sum[Dim + d] = sum[Dim + d] + drag * p.separation[d]; });
     }
   }
 

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "mesogen/exec/unroll.hpp"
 #include "mesogen/export.hpp"
 
 #ifndef __CUDACC__
@@ -74,23 +75,28 @@ template <int Count, class Lane, class Real>
 [[gnu::always_inline]] inline void sum_lanes(const Lane (&packs)[Count], Real* total) {
 #ifdef __AVX512F__
   if constexpr (sizeof(Lane) == 64 && sizeof(Real) == 4) {
-    const auto quarter = [&](int n) {
-      if (n >= Count) return _mm_setzero_ps();
-      const __m512 z = static_cast<__m512>(packs[n]);
-      const __m256 y = _mm256_add_ps(_mm512_castps512_ps256(z), _mm512_extractf32x8_ps(z, 1));
-      return _mm_add_ps(_mm256_castps256_ps128(y), _mm256_extractf128_ps(y, 1));
+    const auto quarter = [&](auto n) __attribute__((always_inline)) {
+      if constexpr (n >= Count) {
+        return _mm_setzero_ps();
+      } else {
+        const auto z = static_cast<__m512>(packs[n]);
+        const __m256 y = _mm256_add_ps(_mm512_castps512_ps256(z), _mm512_extractf32x8_ps(z, 1));
+        return _mm_add_ps(_mm256_castps256_ps128(y), _mm256_extractf128_ps(y, 1));
+      }
     };
-    for (int n = 0; n < Count; n += 4) {
-      const __m128 four =
-          _mm_hadd_ps(_mm_hadd_ps(quarter(n), quarter(n + 1)), _mm_hadd_ps(quarter(n + 2), quarter(n + 3)));
+    unroll<(Count + 3) / 4>([&](auto group) __attribute__((always_inline)) {
+      const auto at = [&](auto n) { return quarter(std::integral_constant<int, 4 * group + n>{}); };
+      using std::integral_constant;
+      const __m128 first = _mm_hadd_ps(at(integral_constant<int, 0>{}), at(integral_constant<int, 1>{}));
+      const __m128 second = _mm_hadd_ps(at(integral_constant<int, 2>{}), at(integral_constant<int, 3>{}));
       alignas(16) float out[4];
-      _mm_store_ps(out, four);
-      for (int m = 0; m < 4 && n + m < Count; ++m) total[n + m] = out[m];
-    }
+      _mm_store_ps(out, _mm_hadd_ps(first, second));
+      for (int m = 0; m < 4 && 4 * group + m < Count; ++m) total[4 * group + m] = out[m];
+    });
     return;
   }
 #endif
-  for (int n = 0; n < Count; ++n) total[n] = stdx::reduce(packs[n]);
+  unroll<Count>([&](auto n) { total[n] = stdx::reduce(packs[n]); });
 }
 
 #endif

@@ -5,6 +5,7 @@
 #include "mesogen/domain/neighbours.hpp"
 #include "mesogen/exec/for_each.hpp"
 #include "mesogen/exec/lanes.hpp"
+#include "mesogen/exec/unroll.hpp"
 #include "mesogen/sph/kernel_function.hpp"
 
 /// Sums over neighbours. A pass is a small struct, written once for every lane type and for host and device:
@@ -71,10 +72,10 @@ struct Pair {
                                                   const Real (&at)[Dim], const Lane& excess)
       : kernel(k), radius(n.radius), j(first) {
     Lane square(n.smallest);
-    for (int d = 0; d < Dim; ++d) {
+    exec::unroll<Dim>([&](auto d) {
       separation[d] = Lane(at[d]) - load_from(n.local[d] + first);
       square = separation[d] * separation[d] + square;
-    }
+    });
     square = square + excess;
     inverse_distance = exec::inverse_square_root(square);
     distance = square * inverse_distance;
@@ -166,7 +167,7 @@ void pair_sums_of_cell(const Neighbours<Real, Dim>& neighbours, const Kernel& ke
   for (Index i = first; i < last; ++i) {
     const auto own = pass.load(i);
     Lane sums[Pass::sum_count];
-    for (auto& s : sums) s = Lane(Real(0));
+    exec::unroll<Pass::sum_count>([&](auto n) { sums[n] = Lane(Real(0)); });
     for (const auto& block : seen.blocks) {
       Real position[Dim];
       for (int d = 0; d < Dim; ++d) position[d] = neighbours.local[d][i] - block.offset[d];

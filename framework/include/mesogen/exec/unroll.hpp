@@ -1,0 +1,26 @@
+#pragma once
+
+#include <type_traits>
+#include <utility>
+
+#include "mesogen/export.hpp"
+
+namespace mesogen::exec {
+
+namespace detail {
+
+template <class Action, int... Numbers>
+[[gnu::always_inline]] MESOGEN_HOST_DEVICE inline void unroll(Action& action, std::integer_sequence<int, Numbers...>) {
+  (action(std::integral_constant<int, Numbers>{}), ...);
+}
+
+}  // namespace detail
+
+/// action(0), action(1), ..., action(Count - 1), written out one by one. In the sums of a pair pass this is what lets
+/// the compiler keep an array in registers: a loop that it unrolls later does not.
+template <int Count, class Action>
+[[gnu::always_inline]] MESOGEN_HOST_DEVICE inline void unroll(Action&& action) {
+  detail::unroll(action, std::make_integer_sequence<int, Count>{});
+}
+
+}  // namespace mesogen::exec
