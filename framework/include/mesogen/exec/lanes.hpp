@@ -85,10 +85,9 @@ template <int Count, class Lane, class Real>
       }
     };
     unroll<(Count + 3) / 4>([&](auto group) __attribute__((always_inline)) {
-      const auto at = [&](auto n) { return quarter(std::integral_constant<int, 4 * group + n>{}); };
-      using std::integral_constant;
-      const __m128 first = _mm_hadd_ps(at(integral_constant<int, 0>{}), at(integral_constant<int, 1>{}));
-      const __m128 second = _mm_hadd_ps(at(integral_constant<int, 2>{}), at(integral_constant<int, 3>{}));
+      const auto at = [&](auto n) { return quarter(Number<4 * group + n>{}); };
+      const __m128 first = _mm_hadd_ps(at(Number<0>{}), at(Number<1>{}));
+      const __m128 second = _mm_hadd_ps(at(Number<2>{}), at(Number<3>{}));
       alignas(16) float out[4];
       _mm_store_ps(out, _mm_hadd_ps(first, second));
       for (int m = 0; m < 4 && 4 * group + m < Count; ++m) total[4 * group + m] = out[m];

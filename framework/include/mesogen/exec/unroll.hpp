@@ -1,17 +1,23 @@
 #pragma once
 
-#include <type_traits>
 #include <utility>
 
 #include "mesogen/export.hpp"
 
 namespace mesogen::exec {
 
+/// An int known to the compiler (std::integral_constant, for devices too).
+template <int Value>
+struct Number {
+  static constexpr int value = Value;
+  MESOGEN_HOST_DEVICE constexpr operator int() const { return Value; }  // NOLINT: meant to be used as the number
+};
+
 namespace detail {
 
 template <class Action, int... Numbers>
 [[gnu::always_inline]] MESOGEN_HOST_DEVICE inline void unroll(Action& action, std::integer_sequence<int, Numbers...>) {
-  (action(std::integral_constant<int, Numbers>{}), ...);
+  (action(Number<Numbers>{}), ...);
 }
 
 }  // namespace detail
