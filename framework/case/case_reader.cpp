@@ -147,7 +147,14 @@ class CaseReader {
     ParameterList list;
     list.text("type", result.type).doc("name of the plugin").required();
     from.read_only(list, problems_);
+    if (from.has("type")) refuse_empty_name(case_.tree->find_path(result.type_key), result.type_key);
     return result;
+  }
+
+  void refuse_empty_name(const Value* value, const std::string& key) {
+    const auto* const name = value == nullptr ? nullptr : value->as<std::string>();
+    if (name != nullptr && name->empty())
+      problems_.add(value->place, key, "must be the name of a plugin, but is empty; `mesogen plugin list` shows all");
   }
 
   void read_kernel() {
@@ -167,6 +174,7 @@ class CaseReader {
     } else if (value->as<Value::Table>() != nullptr) {
       case_.boundary = choice(section(path), {"type"});
     } else if (const auto* const name = value->as<std::string>()) {
+      refuse_empty_name(value, path);
       auto table = std::make_shared<Value>(Value{Value::Table{{"type", value->place, *value}}, value->place});
       case_.boundary = {*name, "boundary",   CaseSection(path, std::move(table), value->place),
                         path,  value->place, {"type"}};

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include "case/nearest.hpp"
 #include "case/resolved.hpp"
@@ -229,6 +230,7 @@ std::unique_ptr<Setup> set_up(Case source, const PluginRegistry& registry, Probl
     if (error.code() != ExitCode::bad_case) throw;
     problems.add({setup->source.file, 0, 0}, "", error.what());
   }
+  if (problems.empty() && !setup->graph) throw std::logic_error("a case without problems could not be set up");
   if (!problems.empty())
     throw Error(builder.refused() ? ExitCode::plugin_refused : ExitCode::bad_case, problems.text());
   return setup;
