@@ -21,7 +21,7 @@ PluginRegistry load_plugins(const PluginFolders& folders, bool quiet) {
 void add_case(CLI::App& verb, CaseOptions& options) {
   verb.add_option("case", options.file, "Case file (TOML)")->type_name("CASE")->required();
   verb.add_option("--set", options.overrides,
-                  "Change a key of the case, such as physics.nematic.activity=0.05; may be repeated")
+                  "Change a key of the case, such as physics.activity.activity=0.05; may be repeated")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
   add_plugin_path(verb, options.plugin_folders);

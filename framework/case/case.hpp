@@ -113,7 +113,7 @@ struct MESOGEN_EXPORT Case {
 
 /// Reads a case file. Never throws for what is wrong with the case: all of that is added to `problems`, and the case
 /// is then not to be used beyond its plugin choices, whose parameters can still be checked.
-/// `overrides` are texts such as "physics.nematic.activity=0.05"; the value is TOML, or else taken as a text.
+/// `overrides` are texts such as "physics.activity.activity=0.05"; the value is TOML, or else taken as a text.
 MESOGEN_EXPORT Case read_case(const std::string& path, const std::vector<std::string>& overrides, Problems& problems);
 /// The same from a text; `name` stands for the file in messages.
 MESOGEN_EXPORT Case read_case_text(std::string_view text, const std::string& name,

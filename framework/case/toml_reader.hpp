@@ -13,7 +13,7 @@ namespace mesogen {
 /// file.
 std::unique_ptr<Value> parse_toml(std::string_view text, const std::string& name, Problems& problems);
 
-/// Applies "physics.nematic.activity=0.05" to a case. The value is TOML, or else taken as a text.
+/// Applies "physics.activity.activity=0.05" to a case. The value is TOML, or else taken as a text.
 void apply_override(Value& root, const std::string& text, Problems& problems);
 
 /// The content of a file; a problem if it cannot be read or is too large to be a case.

@@ -181,8 +181,12 @@ ExitCode resume_run(const PluginRegistry& registry, const RunOptions& options, L
         return {};
       });
   for (const std::string& reason : refused) log.warn(reason);
-  if (checkpoint.time >= setup->source.time.end) log.info("this run is complete: there is nothing to do");
-  log.info(fmt::format("resuming from {} at t = {} s, step {}", which, number_text(checkpoint.time), checkpoint.step));
+  if (checkpoint.time >= setup->source.time.end) {
+    log.info("this run is complete: there is nothing left to compute");
+  } else {
+    log.info(
+        fmt::format("resuming from {} at t = {} s, step {}", which, number_text(checkpoint.time), checkpoint.step));
+  }
   return Run(*setup, options, log, progress).resume(checkpoint);
 }
 

@@ -176,10 +176,11 @@ void SetupBuilder::choose_output() {
     } else if (source_.output.fields_given) {
       std::string text = "there is no field '" + field + "' in this scene";
       if (const std::string near = nearest(field, setup_.catalogue.names()); !near.empty())
-        text += "; did you mean '" + near + "'?";
+        text += "; did you mean '" + near + "'";
       std::string all;
       for (const std::string& name : setup_.catalogue.names()) all += (all.empty() ? "" : ", ") + name;
-      problems_.add(source_.place("output.fields"), "output.fields", text + " There are: position, " + all);
+      problems_.add(source_.place("output.fields"), "output.fields",
+                    text + ". There are: position, " + all + ", and X_gradient and X_laplacian of each X");
     }
   }
   resolved_.set_output_fields(setup_.output_fields);
