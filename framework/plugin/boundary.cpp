@@ -19,6 +19,8 @@ Boundary::~Boundary() = default;
 
 void Boundary::parameters(ParameterList&) {}
 
+bool Boundary::periodic(int) const { return true; }
+
 void Boundary::copies(const Scene&, const double* const*, Index, double, Copies& out) const {
   out.source.clear();
   out.offset.clear();
@@ -31,5 +33,12 @@ void Boundary::refresh(const Copies& copies, FieldView<float> field, int compone
 void Boundary::refresh(const Copies& copies, FieldView<double> field, int components, Index count) const {
   take_from_source(copies, field, components, count);
 }
+
+void Boundary::dummies(const Scene&, double, Dummies& out) const {
+  out.position.clear();
+  out.mirror.clear();
+}
+
+void Boundary::extend(std::string_view, int, const Dummies&, std::vector<Extension>&) const {}
 
 }  // namespace mesogen

@@ -24,6 +24,8 @@ class WorkContext final : public PassContext {
   [[nodiscard]] const Scene& scene() const override { return world_.scene; }
   [[nodiscard]] exec::Space space() const override { return {}; }
   [[nodiscard]] Index count() const override { return world_.particles.count(); }
+  [[nodiscard]] const double* position(int axis) const override { return world_.particles.position[axis].data(); }
+  [[nodiscard]] const std::int64_t* id() const override { return world_.particles.id.data(); }
   [[nodiscard]] double time() const override { return world_.time; }
   [[nodiscard]] double step_size() const override { return world_.step_size; }
   [[nodiscard]] std::int64_t step() const override { return world_.step; }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <string_view>
 #include <vector>
 
 #include "mesogen/field/view.hpp"
@@ -15,7 +16,20 @@ struct Copies {
   std::vector<std::array<double, 3>> offset;  ///< position of the copy minus that of its source, m
 };
 
-/// What happens at the faces of the box.
+/// Fixed particles beyond the faces: a wall. They complete the support of the particles near it and never move.
+struct Dummies {
+  std::vector<std::array<double, 3>> position;  ///< beyond a face of an axis that does not wrap, m
+  std::vector<std::array<double, 3>> mirror;    ///< point inside the box from which each takes its values, m
+};
+
+/// The value of a component at a dummy: factor * (value at its mirror point) + summand.
+struct Extension {
+  double factor = 1.0;
+  double summand = 0.0;
+};
+
+/// What happens at the faces of the box. Beyond them may lie copies, which move with particles, or dummies, which stay
+/// where they are; not both.
 class MESOGEN_EXPORT Boundary {
  public:
   Boundary() = default;
@@ -25,7 +39,9 @@ class MESOGEN_EXPORT Boundary {
 
   /// Keys beside the framework's own. Given in the case as `boundary = { type = "...", key = value }`.
   virtual void parameters(ParameterList& list);
-  /// Does the cell grid continue on the other side along this axis (no copies needed)?
+  /// Does the box go on at its other side along this axis? By default yes. Told to observers and written to results.
+  [[nodiscard]] virtual bool periodic(int axis) const;
+  /// Does the cell grid itself continue on the other side along this axis (nothing is needed beyond its faces)?
   [[nodiscard]] virtual bool wraps(int axis) const = 0;
   /// Brings a particle that left the box back in; `images[d]` counts the boxes it has crossed, so that
   /// position + images * box is its unwrapped path. Called whenever particles are sorted anew, for each particle.
@@ -37,6 +53,13 @@ class MESOGEN_EXPORT Boundary {
   /// By default each takes its source's value.
   virtual void refresh(const Copies& copies, FieldView<float> field, int components, Index count) const;
   virtual void refresh(const Copies& copies, FieldView<double> field, int components, Index count) const;
+  /// Dummies needed so that every particle of the box has neighbours all around it, as far as `reach` (m). Called once.
+  virtual void dummies(const Scene& scene, double reach, Dummies& out) const;
+  /// How a field goes on behind the wall: `extension[n * components + c]` is for component c at dummy n. They come as
+  /// "the same on both sides" (no slope at the wall); 2 v - (value at the mirror point) holds the field at v there.
+  /// The value at a mirror point is interpolated from the particles, exactly where the field is linear.
+  virtual void extend(std::string_view field, int components, const Dummies& dummies,
+                      std::vector<Extension>& extension) const;
 };
 
 }  // namespace mesogen
