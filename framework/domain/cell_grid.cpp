@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
+
+#include "mesogen/diagnostics/error.hpp"
 
 namespace mesogen {
 
@@ -12,7 +15,8 @@ constexpr int narrow = 4;
 
 }  // namespace
 
-CellGrid::CellGrid(const Scene& scene, const Boundary& boundary, double range) : dimension_(scene.dimension) {
+CellGrid::CellGrid(const Scene& scene, const Boundary& boundary, double range)
+    : dimension_(scene.dimension), box_(scene.box) {
   for (int d = 0; d < dimension_; ++d) {
     const double wanted = d == 0 ? range / narrow : range;
     cells_[d] = std::max(1, static_cast<int>(std::floor(scene.box[d] / wanted)));
@@ -50,6 +54,31 @@ CellGrid::Cell CellGrid::of_copy(const std::array<double, 3>& source, const std:
     if (offset[d] > 0.0) cell[d] = std::max(cell[d], cells_[d]);
     if (offset[d] == 0.0) cell[d] = std::clamp(cell[d], 0, cells_[d] - 1);
   }
+  return cell;
+}
+
+CellGrid::Cell CellGrid::of_dummy(const std::array<double, 3>& position) const {
+  Cell cell = nearest_inside(position);
+  bool outside = false;
+  for (int d = 0; d < dimension_; ++d) {
+    if (wrapped_[d]) continue;
+    // A face belongs to the outside, whatever rounding makes of the cell.
+    if (position[d] <= 0.0) cell[d] = std::clamp(along(d, position[d]), -padding_[d], -1);
+    if (position[d] >= box_[d]) cell[d] = std::clamp(along(d, position[d]), cells_[d], cells_[d] + padding_[d] - 1);
+    outside = outside || cell[d] < 0 || cell[d] >= cells_[d];
+  }
+  if (!outside) {
+    std::string at;
+    for (int d = 0; d < dimension_; ++d) at += (d > 0 ? ", " : "") + std::to_string(position[d]);
+    throw Error(ExitCode::plugin_refused, "the boundary puts a dummy at (" + at +
+                                              "), inside the box: dummies belong beyond a face that does not wrap");
+  }
+  return cell;
+}
+
+CellGrid::Cell CellGrid::nearest_inside(const std::array<double, 3>& position) const {
+  Cell cell{};
+  for (int d = 0; d < dimension_; ++d) cell[d] = std::clamp(along(d, position[d]), 0, cells_[d] - 1);
   return cell;
 }
 

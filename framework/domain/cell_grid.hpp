@@ -27,6 +27,11 @@ class MESOGEN_EXPORT CellGrid {
   [[nodiscard]] Cell inside(int number) const;
   /// Cell in the padding (or beside it, inside, along axes without offset) of a copy of a particle.
   [[nodiscard]] Cell of_copy(const std::array<double, 3>& source, const std::array<double, 3>& offset) const;
+  /// Cell in the padding of a dummy. Throws Error(plugin_refused) if it lies inside the box: cells there know
+  /// particles.
+  [[nodiscard]] Cell of_dummy(const std::array<double, 3>& position) const;
+  /// Cell inside the box nearest to a position.
+  [[nodiscard]] Cell nearest_inside(const std::array<double, 3>& position) const;
   /// Index of a cell among all, the padding included.
   [[nodiscard]] int padded_index(const Cell& cell) const;
   [[nodiscard]] int inside_count() const;
@@ -43,6 +48,7 @@ class MESOGEN_EXPORT CellGrid {
 
  private:
   int dimension_;
+  std::array<double, 3> box_{};
   std::array<int, 3> cells_{1, 1, 1};
   std::array<int, 3> padding_{};
   std::array<int, 3> reach_{};

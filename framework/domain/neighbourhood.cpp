@@ -4,6 +4,9 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <string>
+
+#include "mesogen/diagnostics/error.hpp"
 
 namespace mesogen {
 
@@ -18,7 +21,13 @@ Neighbourhood::Neighbourhood(const Scene& scene, const Boundary& boundary)
     : scene_(scene),
       boundary_(boundary),
       skin_(skin_in_spacings * scene.spacing),
-      grid_(scene, boundary, scene.support + skin_) {}
+      grid_(scene, boundary, scene.support + skin_) {
+  boundary.dummies(scene, scene.support + skin_, dummies_);
+  if (dummies_.position.size() != dummies_.mirror.size())
+    throw Error(ExitCode::plugin_refused, "the boundary gives " + std::to_string(dummies_.position.size()) +
+                                              " dummies, but " + std::to_string(dummies_.mirror.size()) +
+                                              " mirror points: each dummy needs one");
+}
 
 std::array<double, 3> Neighbourhood::sorted_at(Index i) const {
   std::array<double, 3> at{};
@@ -31,7 +40,7 @@ const std::vector<Index>* Neighbourhood::update(Particles& particles) {
   if (!cell_of_.empty() && place(particles)) return nullptr;
   sort_particles(particles);
   find_cells();
-  make_copies();
+  make_outside();
   (void)place(particles);
   return &order_;
 }
@@ -40,7 +49,7 @@ void Neighbourhood::restore(const Particles& particles, std::array<std::vector<d
   ++version_;
   sorted_position_ = std::move(sorted_position);
   find_cells();
-  make_copies();
+  make_outside();
   (void)place(particles);
 }
 
@@ -99,35 +108,36 @@ void Neighbourhood::find_cells() {
   for (Index i = 0; i < count; ++i) cell_of_[i] = grid_.number_of(sorted_at(i));
 }
 
-// Copies are stored behind the particles, by cell like them; their cells lie in the padding.
-void Neighbourhood::make_copies() {
+// What lies beyond the faces is stored behind the particles, by cell like them; its cells lie in the padding.
+void Neighbourhood::make_outside() {
   const auto count = static_cast<Index>(sorted_position_[0].size());
-  const int dimension = scene_.dimension;
   const double* position[3] = {sorted_position_[0].data(), sorted_position_[1].data(), sorted_position_[2].data()};
   Copies made;
   boundary_.copies(scene_, position, count, scene_.support + skin_, made);
+  std::vector<CellGrid::Cell> cell;
+  for (std::size_t n = 0; n < made.source.size(); ++n)
+    cell.push_back(grid_.of_copy(sorted_at(made.source[n]), made.offset[n]));
+  for (const auto& at : dummies_.position) cell.push_back(grid_.of_dummy(at));
 
-  std::vector<Index> begin(static_cast<std::size_t>(grid_.padded_count()) + 1, 0);
-  std::vector<CellGrid::Cell> cell(made.source.size());
-  for (std::size_t n = 0; n < cell.size(); ++n) {
-    cell[n] = grid_.of_copy(sorted_at(made.source[n]), made.offset[n]);
-    ++begin[grid_.padded_index(cell[n]) + 1];
+  const std::vector<Index> order = order_outside(cell);
+  const auto permuted = [&](auto& from) {
+    auto to = from;
+    for (std::size_t n = 0; n < to.size(); ++n) to[n] = from[static_cast<std::size_t>(order[n])];
+    return to;
+  };
+  if (dummies_.position.empty()) {
+    copies_.source = permuted(made.source);
+    copies_.offset = permuted(made.offset);
+  } else {
+    dummies_.position = permuted(dummies_.position);
+    dummies_.mirror = permuted(dummies_.mirror);
   }
-  std::partial_sum(begin.begin(), begin.end(), begin.begin());
-  std::vector<Index> next(begin.begin(), begin.end() - 1);
-  copies_.source.resize(made.source.size());
-  copies_.offset.resize(made.source.size());
-  for (int d = 0; d < dimension; ++d) copy_origin_[d].resize(made.source.size());
-  for (std::size_t n = 0; n < cell.size(); ++n) {
-    const Index to = next[grid_.padded_index(cell[n])]++;
-    copies_.source[to] = made.source[n];
-    copies_.offset[to] = made.offset[n];
-    for (int d = 0; d < dimension; ++d) copy_origin_[d][to] = grid_.tile_origin(d, cell[n][d]);
-  }
-  fill_cell_tables(begin);
 
-  const std::size_t stored = static_cast<std::size_t>(count) + made.source.size() + pack_tail;
-  for (int d = 0; d < dimension; ++d) {
+  const std::size_t stored = static_cast<std::size_t>(count) + cell.size() + pack_tail;
+  for (int d = 0; d < scene_.dimension; ++d) {
+    outside_origin_[d].resize(cell.size());
+    for (std::size_t n = 0; n < cell.size(); ++n)
+      outside_origin_[d][n] = grid_.tile_origin(d, cell[static_cast<std::size_t>(order[n])][d]);
     if (scene_.precision == Precision::single_precision) {
       local_single_[d].assign(stored, 0.0F);
     } else {
@@ -137,13 +147,27 @@ void Neighbourhood::make_copies() {
   ++sorted_version_;
 }
 
-void Neighbourhood::fill_cell_tables(const std::vector<Index>& copies_begin) {
+// By cell, and as they came within a cell; fills the cell tables.
+std::vector<Index> Neighbourhood::order_outside(const std::vector<CellGrid::Cell>& cell) {
+  std::vector<Index> begin(static_cast<std::size_t>(grid_.padded_count()) + 1, 0);
+  for (const auto& at : cell) ++begin[static_cast<std::size_t>(grid_.padded_index(at)) + 1];
+  std::partial_sum(begin.begin(), begin.end(), begin.begin());
+  std::vector<Index> next(begin.begin(), begin.end() - 1);
+  std::vector<Index> order(cell.size());
+  for (std::size_t n = 0; n < cell.size(); ++n)
+    order[static_cast<std::size_t>(next[static_cast<std::size_t>(grid_.padded_index(cell[n]))]++)] =
+        static_cast<Index>(n);
+  fill_cell_tables(begin);
+  return order;
+}
+
+void Neighbourhood::fill_cell_tables(const std::vector<Index>& outside_begin) {
   const auto count = static_cast<Index>(cell_of_.size());
-  cell_begin_.resize(copies_begin.size() - 1);
-  cell_end_.resize(copies_begin.size() - 1);
+  cell_begin_.resize(outside_begin.size() - 1);
+  cell_end_.resize(outside_begin.size() - 1);
   for (std::size_t c = 0; c < cell_begin_.size(); ++c) {
-    cell_begin_[c] = count + copies_begin[c];
-    cell_end_[c] = count + copies_begin[c + 1];
+    cell_begin_[c] = count + outside_begin[c];
+    cell_end_[c] = count + outside_begin[c + 1];
   }
   Index i = 0;
   for (int c = 0; c < grid_.inside_count(); ++c) {
@@ -180,11 +204,16 @@ bool Neighbourhood::place(const Particles& particles, std::array<std::vector<Rea
     }
   }
   if (left != 0) return false;
-  const Index copies = copy_count();
+  const auto copies = static_cast<Index>(copies_.source.size());
 #pragma omp parallel for schedule(static)
   for (Index n = 0; n < copies; ++n)
     for (int d = 0; d < scene_.dimension; ++d)
-      local[d][count + n] = Real(particles.position[d][copies_.source[n]] + copies_.offset[n][d] - copy_origin_[d][n]);
+      local[d][count + n] =
+          Real(particles.position[d][copies_.source[n]] + copies_.offset[n][d] - outside_origin_[d][n]);
+  const auto dummies = static_cast<Index>(dummies_.position.size());
+  for (Index n = 0; n < dummies; ++n)
+    for (int d = 0; d < scene_.dimension; ++d)
+      local[d][count + n] = Real(dummies_.position[n][d] - outside_origin_[d][n]);
   return true;
 }
 

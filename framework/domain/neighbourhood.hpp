@@ -13,7 +13,7 @@
 
 namespace mesogen {
 
-/// The cell grid, the order of particles in storage and the copies beyond the faces.
+/// The cell grid, the order of particles in storage and what lies beyond the faces: copies, or the dummies of a wall.
 ///
 /// Cells reach a little farther than the support (the skin), so the sorting and the copies stay valid until some
 /// particle has moved by half of it: hundreds of steps in a slow flow. All that follows from `sorted_position()`, the
@@ -31,7 +31,13 @@ class MESOGEN_EXPORT Neighbourhood {
   [[nodiscard]] const std::array<std::vector<double>, 3>& sorted_position() const { return sorted_position_; }
 
   [[nodiscard]] const Copies& copies() const { return copies_; }
-  [[nodiscard]] Index copy_count() const { return static_cast<Index>(copies_.source.size()); }
+  /// In the order of storage.
+  [[nodiscard]] const Dummies& dummies() const { return dummies_; }
+  /// Copies or dummies: stored behind the particles.
+  [[nodiscard]] Index outside_count() const {
+    return static_cast<Index>(copies_.source.size() + dummies_.position.size());
+  }
+  [[nodiscard]] const CellGrid& grid() const { return grid_; }
   /// Raised whenever a particle has moved: what was computed from positions is out of date.
   [[nodiscard]] std::uint64_t version() const { return version_; }
   /// Raised whenever the copies are others.
@@ -44,8 +50,9 @@ class MESOGEN_EXPORT Neighbourhood {
  private:
   void sort_particles(Particles& particles);
   void find_cells();
-  void make_copies();
-  void fill_cell_tables(const std::vector<Index>& copies_begin);
+  void make_outside();
+  [[nodiscard]] std::vector<Index> order_outside(const std::vector<CellGrid::Cell>& cell);
+  void fill_cell_tables(const std::vector<Index>& outside_begin);
   [[nodiscard]] std::array<double, 3> sorted_at(Index i) const;
   template <class Real>
   [[nodiscard]] bool place(const Particles& particles, std::array<std::vector<Real>, 3>& local) const;
@@ -62,7 +69,8 @@ class MESOGEN_EXPORT Neighbourhood {
   std::vector<Index> cell_begin_;  // by padded cell
   std::vector<Index> cell_end_;
   Copies copies_;
-  std::array<std::vector<double>, 3> copy_origin_;  // of the tile of each copy
+  Dummies dummies_;
+  std::array<std::vector<double>, 3> outside_origin_;  // of the tile of each copy or dummy
   std::array<std::vector<float>, 3> local_single_;
   std::array<std::vector<double>, 3> local_double_;
   std::uint64_t version_ = 0;

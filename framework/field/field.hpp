@@ -40,9 +40,11 @@ class MESOGEN_EXPORT Field {
   /// New place of every particle: place n takes what stood at order[n].
   void permute(const std::vector<Index>& order);
 
-  /// Every write raises the version; the boundary copies are those of version `refreshed`.
+  /// Every write raises the version; what lies beyond the faces is of version `refreshed`, and at a wall of the
+  /// positions `refreshed_at`.
   std::uint64_t version = 1;
   std::uint64_t refreshed = 0;
+  std::uint64_t refreshed_at = 0;
 
   std::string unit;
   std::string doc;

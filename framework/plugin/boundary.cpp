@@ -39,6 +39,6 @@ void Boundary::dummies(const Scene&, double, Dummies& out) const {
   out.mirror.clear();
 }
 
-void Boundary::extend(std::string_view, int, const Dummies&, std::vector<Extension>&) const {}
+void Boundary::extend(const Scene&, std::string_view, int, const Dummies&, std::vector<Extension>&) const {}
 
 }  // namespace mesogen

@@ -112,7 +112,7 @@ void Executor::run(Work& work) {
     if (world_.fields.find(field) != nullptr) prepare(field);
   for (const std::string& field : work.pass.neighbour_reads) {
     prepare(field);
-    world_.refresh_copies(world_.fields.at(field));
+    world_.refresh_outside(world_.fields.at(field));
   }
   const auto start = std::chrono::steady_clock::now();
   work.pass.body(WorkContext(world_, work));

@@ -11,12 +11,12 @@ World::World(Scene scene_of_run, sph::SmoothingKernel kernel_of_run, const Bound
 
 Field& World::add_field(const std::string& name, int components, bool integrated) {
   Field& field = fields.add(std::make_unique<Field>(name, components, scene.precision, integrated));
-  field.resize(particles.count(), neighbourhood.copy_count());
+  field.resize(particles.count(), neighbourhood.outside_count());
   return field;
 }
 
 void World::resize_fields() {
-  for (const auto& [name, field] : fields.all()) field->resize(particles.count(), neighbourhood.copy_count());
+  for (const auto& [name, field] : fields.all()) field->resize(particles.count(), neighbourhood.outside_count());
 }
 
 void World::settle() {
@@ -38,15 +38,23 @@ void World::restore_order(std::array<std::vector<double>, 3> sorted_position) {
   for (const auto& [name, field] : fields.all()) field->refreshed = 0;
 }
 
-void World::refresh_copies(Field& field) const {
-  if (field.refreshed == field.version) return;
-  field.refreshed = field.version;
-  if (neighbourhood.copy_count() == 0) return;
-  if (single()) {
-    boundary.refresh(neighbourhood.copies(), field.view<float>(), field.components(), particles.count());
+void World::refresh_outside(Field& field) {
+  const std::uint64_t stamp = field.version;
+  if (neighbourhood.outside_count() == 0) return;
+  if (!neighbourhood.dummies().position.empty()) {
+    // Where particles moved, other ones stand before the wall.
+    if (field.refreshed == stamp && field.refreshed_at == neighbourhood.version()) return;
+    field.refreshed_at = neighbourhood.version();
+    walls_.refresh(neighbourhood, scene, kernel, boundary, field);
   } else {
-    boundary.refresh(neighbourhood.copies(), field.view<double>(), field.components(), particles.count());
+    if (field.refreshed == stamp) return;
+    if (single()) {
+      boundary.refresh(neighbourhood.copies(), field.view<float>(), field.components(), particles.count());
+    } else {
+      boundary.refresh(neighbourhood.copies(), field.view<double>(), field.components(), particles.count());
+    }
   }
+  field.refreshed = stamp;
 }
 
 }  // namespace mesogen

@@ -4,6 +4,7 @@
 
 #include "domain/neighbourhood.hpp"
 #include "domain/particles.hpp"
+#include "domain/wall_values.hpp"
 #include "field/field.hpp"
 #include "mesogen/export.hpp"
 #include "mesogen/plugin/boundary.hpp"
@@ -38,12 +39,13 @@ class MESOGEN_EXPORT World {
   void settle();
   /// Sorts as a checkpoint says; see Neighbourhood::restore.
   void restore_order(std::array<std::vector<double>, 3> sorted_position);
-  /// Brings the boundary copies of a field up to date, if they are not.
-  void refresh_copies(Field& field) const;
+  /// Brings what a field is beyond the faces up to date, at copies or dummies, if it is not.
+  void refresh_outside(Field& field);
 
  private:
   void resize_fields();
   bool moved_ = true;
+  WallValues walls_;
 };
 
 }  // namespace mesogen

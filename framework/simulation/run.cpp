@@ -63,7 +63,7 @@ class Run {
     o.folder = options_.folder;
     o.box = setup_.scene.box;
     o.dimension = setup_.scene.dimension;
-    o.periodic.assign(static_cast<std::size_t>(o.dimension), true);
+    o.periodic.assign(setup_.scene.periodic.begin(), setup_.scene.periodic.begin() + o.dimension);
     o.case_text = setup_.resolved_text;
     o.version = MESOGEN_VERSION;
     o.build = MESOGEN_BUILD_TAG;

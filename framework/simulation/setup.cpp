@@ -125,6 +125,7 @@ void SetupBuilder::describe_scene() {
   scene.dimension = 2;
   scene.precision = source_.run.precision;
   scene.box = {source_.domain.size[0], source_.domain.size[1], 0.0};
+  for (int d = 0; d < 2; ++d) scene.periodic[d] = setup_.boundary->periodic(d);
   scene.spacing = source_.particles.spacing;
   scene.smoothing_length = setup_.smoothing.smoothing_length;
   scene.support = setup_.smoothing.radius();

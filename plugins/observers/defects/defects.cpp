@@ -52,7 +52,7 @@ class Defects final : public Observer {
     double plus = 0.0;
     double minus = 0.0;
     std::vector<double> rows;
-    for (const auto& defect : without_close_pairs(grid.defects(), scene.box, merge_distance_ * scene.spacing)) {
+    for (const auto& defect : without_close_pairs(grid.defects(), scene, merge_distance_ * scene.spacing)) {
       (defect.charge > 0.0 ? plus : minus) += 1.0;
       rows.insert(rows.end(), {defect.position[0], defect.position[1], defect.charge, defect.orientation});
     }

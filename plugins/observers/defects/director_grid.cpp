@@ -5,7 +5,7 @@
 #include <numbers>
 #include <tuple>
 
-#include "mesogen/domain/periodic_cells.hpp"
+#include "mesogen/domain/point_cells.hpp"
 
 namespace mesogen::defects {
 
@@ -25,7 +25,7 @@ double distance_outside(double s, double t) { return std::max({0.0, -s, s - 1.0,
 
 /// Mean of the values around a place. Where no particle is near, it looks for some farther out, with a wider kernel.
 template <class Kernel>
-OrderTensor mean_around(const std::array<double, 2>& place, const PeriodicCells<2>& cells, const Kernel& kernel,
+OrderTensor mean_around(const std::array<double, 2>& place, const PointCells<2>& cells, const Kernel& kernel,
                         double radius, const std::vector<OrderTensor>& values) {
   double weights = 0.0;
   OrderTensor sum;
@@ -48,22 +48,27 @@ DirectorGrid::DirectorGrid(const Scene& scene, const std::vector<std::array<doub
   for (std::size_t d = 0; d < 2; ++d) {
     nodes_[d] = std::max(3, static_cast<int>(std::lround(scene.box[d] / scene.spacing)));
     width_[d] = scene.box[d] / nodes_[d];
+    plaquettes_[d] = scene.periodic[d] ? nodes_[d] : nodes_[d] - 1;
+    first_[d] = scene.periodic[d] ? 0.0 : 0.5 * width_[d];
   }
   tensor_.resize(static_cast<std::size_t>(nodes_[0]) * static_cast<std::size_t>(nodes_[1]));
-  const PeriodicCells<2> cells(scene.box, points, kernel.radius() / 3.0);
+  const PointCells<2> cells(scene, points, kernel.radius() / 3.0);
   sph::with_kernel_function<double>(kernel, [&](const auto& function) {
 #pragma omp parallel for schedule(static)
     for (int j = 0; j < nodes_[1]; ++j) {
       for (int i = 0; i < nodes_[0]; ++i)
-        tensor_[node(i, j)] = mean_around({i * width_[0], j * width_[1]}, cells, function, kernel.radius(), values);
+        tensor_[node(i, j)] = mean_around({first_[0] + i * width_[0], first_[1] + j * width_[1]}, cells, function,
+                                          kernel.radius(), values);
     }
   });
 }
 
 std::size_t DirectorGrid::node(int i, int j) const {
-  const auto x = static_cast<std::size_t>((i + nodes_[0]) % nodes_[0]);
-  const auto y = static_cast<std::size_t>((j + nodes_[1]) % nodes_[1]);
-  return y * static_cast<std::size_t>(nodes_[0]) + x;
+  const auto along = [this](int at, std::size_t d) {
+    const bool goes_on = plaquettes_[d] == nodes_[d];
+    return static_cast<std::size_t>(goes_on ? (at + nodes_[d]) % nodes_[d] : std::clamp(at, 0, nodes_[d] - 1));
+  };
+  return along(j, 1) * static_cast<std::size_t>(nodes_[0]) + along(i, 0);
 }
 
 std::vector<Defect> DirectorGrid::defects() const {
@@ -82,8 +87,8 @@ std::vector<Defect> DirectorGrid::defects() const {
     }
   }
   std::vector<Defect> found;
-  for (int j = 0; j < nodes_[1]; ++j) {
-    for (int i = 0; i < nodes_[0]; ++i) {
+  for (int j = 0; j < plaquettes_[1]; ++j) {
+    for (int i = 0; i < plaquettes_[0]; ++i) {
       const double total = turn_x[node(i, j)] + turn_y[node(i + 1, j)] - turn_x[node(i, j + 1)] - turn_y[node(i, j)];
       const long turns = std::isfinite(total) ? std::lround(total / (2.0 * pi)) : 0;
       // Two turns around one plaquette need four edges of exactly half a turn; then there are two defects in it.
@@ -91,8 +96,8 @@ std::vector<Defect> DirectorGrid::defects() const {
         Defect defect;
         defect.charge = turns > 0 ? 0.5 : -0.5;
         const auto [s, t] = zero(i, j);
-        defect.position = {std::fmod((i + s) * width_[0], nodes_[0] * width_[0]),
-                           std::fmod((j + t) * width_[1], nodes_[1] * width_[1])};
+        defect.position = {std::fmod(first_[0] + (i + s) * width_[0], nodes_[0] * width_[0]),
+                           std::fmod(first_[1] + (j + t) * width_[1], nodes_[1] * width_[1])};
         defect.orientation = orientation(i, j, defect.charge);
         found.push_back(defect);
       }
@@ -149,12 +154,11 @@ double DirectorGrid::orientation(int i, int j, double charge) const {
   return charge / (1.0 - charge) * std::atan2(sign * by_x.q12 - by_y.q11, by_x.q11 + sign * by_y.q12);
 }
 
-std::vector<Defect> without_close_pairs(const std::vector<Defect>& defects, const std::array<double, 3>& box,
-                                        double distance) {
+std::vector<Defect> without_close_pairs(const std::vector<Defect>& defects, const Scene& scene, double distance) {
   std::vector<std::array<double, 2>> points;
   points.reserve(defects.size());
   for (const auto& defect : defects) points.push_back(defect.position);
-  const PeriodicCells<2> cells(box, points, distance);
+  const PointCells<2> cells(scene, points, distance);
   std::vector<std::tuple<double, std::size_t, std::size_t>> pairs;  // distance squared, +1/2, -1/2
   for (std::size_t i = 0; i < defects.size(); ++i) {
     if (defects[i].charge < 0.0) continue;

@@ -20,10 +20,11 @@ struct OrderTensor {
   double q12 = 0.0;
 };
 
-/// The order tensor on a regular periodic grid, and the defects of its director.
+/// The order tensor on a regular grid, and the defects of its director.
 ///
-/// The grid has as many nodes along each axis as spacings fit. The value at a node is the mean of the particles around
-/// it, weighted by a kernel: Q(x) = sum_j W(x - x_j) Q_j / sum_j W(x - x_j) (Shepard 1968).
+/// The grid has as many nodes along each axis as spacings fit; between walls they begin and end half a spacing off
+/// them, and no plaquette reaches across. The value at a node is the mean of the particles around it, weighted by a
+/// kernel: Q(x) = sum_j W(x - x_j) Q_j / sum_j W(x - x_j) (Shepard 1968).
 class DirectorGrid {
  public:
   /// `points`, `values`: by particle id. `kernel`: the weights.
@@ -49,12 +50,13 @@ class DirectorGrid {
   [[nodiscard]] double orientation(int i, int j, double charge) const;
 
   std::array<int, 2> nodes_{};
+  std::array<int, 2> plaquettes_{};
   std::array<double, 2> width_{};  // distance of nodes, m
+  std::array<double, 2> first_{};  // coordinates of the first node, m
   std::vector<OrderTensor> tensor_;
 };
 
 /// Without pairs of opposite charges closer than `distance`, m: closest pairs first. The total charge stays as it is.
-std::vector<Defect> without_close_pairs(const std::vector<Defect>& defects, const std::array<double, 3>& box,
-                                        double distance);
+std::vector<Defect> without_close_pairs(const std::vector<Defect>& defects, const Scene& scene, double distance);
 
 }  // namespace mesogen::defects

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-#include "mesogen/domain/periodic_cells.hpp"
+#include "mesogen/domain/point_cells.hpp"
 #include "mesogen/exec/compensated_sum.hpp"
 #include "mesogen/plugin/by_id.hpp"
 #include "mesogen/plugin/observer.hpp"
@@ -32,13 +32,12 @@ double volume_of_box(const Scene& scene) {
 
 /// Smallest distance between two particles, m.
 template <int Dim>
-double smallest_distance(const std::array<double, 3>& box, const std::vector<std::array<double, Dim>>& points) {
-  double volume = 1.0;
-  for (int d = 0; d < Dim; ++d) volume *= box[static_cast<std::size_t>(d)];
+double smallest_distance(const Scene& scene, const std::vector<std::array<double, Dim>>& points) {
+  const double volume = volume_of_box(scene);
   // However they are placed, two of N particles are closer than in the densest packing: 1.075 (V/N)^(1/2) in 2D,
   // 1.123 (V/N)^(1/3) in 3D. So one of these searches finds the closest pair.
   const double radius = 1.13 * std::pow(volume / static_cast<double>(points.size()), 1.0 / Dim);
-  const PeriodicCells<Dim> cells(box, points, radius);
+  const PointCells<Dim> cells(scene, points, radius);
   double smallest = std::numeric_limits<double>::infinity();
   const auto count = static_cast<Index>(points.size());
 #pragma omp parallel for schedule(static) reduction(min : smallest)
@@ -149,8 +148,8 @@ class FlowStatistics final : public Observer {
     const auto [low, high] = std::minmax_element(volume.begin(), volume.end());
     sample.set("volume_min", *low / mean_volume);
     sample.set("volume_max", *high / mean_volume);
-    const double distance = scene.dimension == 2 ? smallest_distance<2>(scene.box, particles.positions<2>())
-                                                 : smallest_distance<3>(scene.box, particles.positions<3>());
+    const double distance = scene.dimension == 2 ? smallest_distance<2>(scene, particles.positions<2>())
+                                                 : smallest_distance<3>(scene, particles.positions<3>());
     sample.set("min_spacing", distance / scene.spacing);
   }
 };

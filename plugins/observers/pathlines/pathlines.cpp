@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "mesogen/diagnostics/error.hpp"
-#include "mesogen/domain/periodic_cells.hpp"
+#include "mesogen/domain/point_cells.hpp"
 #include "mesogen/exec/random.hpp"
 #include "mesogen/plugin/by_id.hpp"
 #include "mesogen/plugin/observer.hpp"
@@ -24,7 +24,7 @@ std::vector<std::int64_t> evenly_chosen(std::size_t count, const Scene& scene,
                                         const std::vector<std::array<double, Dim>>& points) {
   double golden = 1.5;
   for (int n = 0; n < 100; ++n) golden = std::pow(1.0 + golden, 1.0 / (Dim + 1));
-  const PeriodicCells<Dim> cells(scene.box, points, scene.spacing);
+  const PointCells<Dim> cells(scene, points, scene.spacing);
   std::vector<bool> taken(points.size(), false);
   std::vector<std::int64_t> chosen;
   while (chosen.size() < count) {

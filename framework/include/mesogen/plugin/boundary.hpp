@@ -58,7 +58,7 @@ class MESOGEN_EXPORT Boundary {
   /// How a field goes on behind the wall: `extension[n * components + c]` is for component c at dummy n. They come as
   /// "the same on both sides" (no slope at the wall); 2 v - (value at the mirror point) holds the field at v there.
   /// The value at a mirror point is interpolated from the particles, exactly where the field is linear.
-  virtual void extend(std::string_view field, int components, const Dummies& dummies,
+  virtual void extend(const Scene& scene, std::string_view field, int components, const Dummies& dummies,
                       std::vector<Extension>& extension) const;
 };
 

@@ -6,22 +6,24 @@
 #include <vector>
 
 #include "mesogen/field/view.hpp"
+#include "mesogen/plugin/scene.hpp"
 
 namespace mesogen {
 
-/// Points of a periodic box sorted into cells, to be searched on the host: what observers use. The pair passes of a run
-/// have their own, faster grid (Neighbours).
+/// Points of a box sorted into cells, to be searched on the host: what observers use. The pair passes of a run have
+/// their own, faster grid (Neighbours).
 ///
-/// Points are visited in an order that depends only on their numbers and coordinates. Every periodic image within the
-/// radius is visited, so a radius beyond half the box is as good as any other.
+/// Points are visited in an order that depends only on their numbers and coordinates. Along periodic axes every image
+/// within the radius is visited, so a radius beyond half the box is as good as any other.
 template <int Dim>
-class PeriodicCells {
+class PointCells {
  public:
   using Point = std::array<double, Dim>;
 
-  /// `box`: edge lengths, m. `points`: coordinates, m, anywhere. `width`: least width of a cell, m; a good one is the
-  /// radius of the searches to come, or a part of it.
-  PeriodicCells(const std::array<double, 3>& box, const std::vector<Point>& points, double width) {
+  /// `points`: coordinates, m, anywhere. `width`: least width of a cell, m; a good one is the radius of the searches to
+  /// come, or a part of it. Of the scene its box and which axes are periodic matter.
+  PointCells(const Scene& scene, const std::vector<Point>& points, double width) {
+    const auto& box = scene.box;
     double volume = 1.0;
     for (int d = 0; d < Dim; ++d) volume *= box[index(d)];
     // Cells far smaller than the points' distance would cost memory and time, and gain nothing.
@@ -29,6 +31,7 @@ class PeriodicCells {
     int total = 1;
     for (int d = 0; d < Dim; ++d) {
       length_[index(d)] = box[index(d)];
+      periodic_[index(d)] = scene.periodic[index(d)];
       cells_[index(d)] = std::max(1, static_cast<int>(length_[index(d)] / std::max(width, finest)));
       width_[index(d)] = length_[index(d)] / cells_[index(d)];
       total *= cells_[index(d)];
@@ -50,9 +53,10 @@ class PeriodicCells {
     }
   }
 
-  /// The point brought into the box, [0, box).
+  /// The point brought into the box, [0, box), along periodic axes.
   [[nodiscard]] Point wrapped(Point point) const {
     for (int d = 0; d < Dim; ++d) {
+      if (!periodic_[index(d)]) continue;
       double& x = point[index(d)];
       x -= std::floor(x / length_[index(d)]) * length_[index(d)];
       if (x < 0.0 || x >= length_[index(d)]) x = 0.0;
@@ -70,6 +74,9 @@ class PeriodicCells {
     for (int d = 0; d < Dim; ++d) {
       first[index(d)] = static_cast<int>(std::floor((centre[index(d)] - radius) / width_[index(d)]));
       last[index(d)] = static_cast<int>(std::floor((centre[index(d)] + radius) / width_[index(d)]));
+      if (periodic_[index(d)]) continue;
+      first[index(d)] = std::clamp(first[index(d)], 0, cells_[index(d)] - 1);
+      last[index(d)] = std::clamp(last[index(d)], 0, cells_[index(d)] - 1);
     }
     std::array<int, Dim> at = first;
     while (at[index(Dim - 1)] <= last[index(Dim - 1)]) {
@@ -89,7 +96,7 @@ class PeriodicCells {
     int cell = 0;
     for (int d = Dim - 1; d >= 0; --d) {
       const int at = static_cast<int>(inside[index(d)] / width_[index(d)]);
-      cell = cell * cells_[index(d)] + std::min(at, cells_[index(d)] - 1);
+      cell = cell * cells_[index(d)] + std::clamp(at, 0, cells_[index(d)] - 1);
     }
     return cell;
   }
@@ -118,6 +125,7 @@ class PeriodicCells {
   }
 
   std::array<double, Dim> length_{};
+  std::array<bool, Dim> periodic_{};
   std::array<double, Dim> width_{};
   std::array<int, Dim> cells_{};
   std::vector<Index> begin_;   // of each cell in the two below; one more than there are cells

@@ -1,0 +1,147 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "boundary_checks.hpp"
+#include "case_run.hpp"
+#include "test_plugins.hpp"
+
+namespace {
+
+using namespace mesogen;
+using namespace mesogen::test;
+
+constexpr double reach = 0.41;
+
+/// A boundary with its parameters, and a box of 1 m x 2 m with particles 0.1 m apart.
+struct WallsUnderTest {
+  std::unique_ptr<Boundary> boundary = built_plugins().make_boundary("walls");
+  ParameterList parameters;
+  Scene scene = scene_of(2, {1.0, 2.0, 0.0});
+  Dummies dummies;
+
+  WallsUnderTest() {
+    boundary->parameters(parameters);
+    scene.spacing = 0.1;
+  }
+  template <class Value>
+  WallsUnderTest& set(const std::string& name, const Value& value) {
+    for (const Parameter& parameter : parameters.all())
+      if (parameter.name == name) *std::get<Value*>(parameter.target) = value;
+    return *this;
+  }
+  std::vector<Extension> extension(const std::string& field, int components) {
+    boundary->dummies(scene, reach, dummies);
+    std::vector<Extension> all(dummies.position.size() * static_cast<std::size_t>(components));
+    boundary->extend(scene, field, components, dummies, all);
+    return all;
+  }
+};
+
+TEST(Walls, StandAcrossTheAxesThatTheCaseNames) {
+  WallsUnderTest channel;
+  EXPECT_TRUE(channel.boundary->periodic(0) && channel.boundary->wraps(0));
+  EXPECT_FALSE(channel.boundary->periodic(1) || channel.boundary->wraps(1));
+  channel.set("axes", std::vector<std::string>{"x", "y"});
+  EXPECT_FALSE(channel.boundary->periodic(0) || channel.boundary->periodic(1));
+}
+
+TEST(Walls, ContinueTheLatticeAsFarAsTheKernelReaches) {
+  WallsUnderTest channel;
+  channel.boundary->dummies(channel.scene, reach, channel.dummies);
+  EXPECT_EQ(channel.dummies.position.size(), 2U * 5U * 10U);
+  for (std::size_t n = 0; n < channel.dummies.position.size(); ++n) {
+    const auto& at = channel.dummies.position[n];
+    const auto& mirror = channel.dummies.mirror[n];
+    EXPECT_TRUE(at[1] < 0.0 || at[1] > 2.0);
+    EXPECT_NEAR(std::remainder(at[1] / 0.1 - 0.5, 1.0), 0.0, 1e-12);
+    EXPECT_EQ(mirror[0], at[0]);
+    EXPECT_NEAR(mirror[1], at[1] < 0.0 ? -at[1] : 4.0 - at[1], 1e-15);
+  }
+  channel.set("axes", std::vector<std::string>{"x", "y"});
+  channel.boundary->dummies(channel.scene, reach, channel.dummies);
+  EXPECT_EQ(channel.dummies.position.size(), 20U * 30U - 10U * 20U) << "corners are filled too, once";
+}
+
+TEST(Walls, HoldVelocityAndOrderTensorHalfWayAndNothingElse) {
+  WallsUnderTest channel;
+  channel.set("velocity_low", -0.25).set("velocity_high", 0.5).set("anchoring", std::string("angle"));
+  channel.set("angle_low", 0.0).set("angle_high", 45.0).set("order", 0.8);
+  const auto velocity = channel.extension("velocity", 2);
+  const auto tensor = channel.extension("order_tensor", 2);
+  for (std::size_t n = 0; n < channel.dummies.position.size(); ++n) {
+    const bool high = channel.dummies.position[n][1] > 0.0;
+    EXPECT_EQ(velocity[2 * n].factor, -1.0);
+    EXPECT_EQ(velocity[2 * n].summand, high ? 1.0 : -0.5);
+    EXPECT_EQ(velocity[2 * n + 1].summand, 0.0);
+    EXPECT_EQ(tensor[2 * n].factor, -1.0);
+    EXPECT_NEAR(tensor[2 * n].summand, high ? 0.0 : 1.6, 1e-15);
+    EXPECT_NEAR(tensor[2 * n + 1].summand, high ? 1.6 : 0.0, 1e-15);
+  }
+  for (const Extension& rule : channel.extension("pressure_term", 1)) {
+    EXPECT_EQ(rule.factor, 1.0);
+    EXPECT_EQ(rule.summand, 0.0);
+  }
+}
+
+TEST(Walls, AnchorAlongOrAcrossThemselves) {
+  WallsUnderTest box;
+  box.set("axes", std::vector<std::string>{"x", "y"});
+  for (const bool planar : {true, false}) {
+    box.set("anchoring", std::string(planar ? "planar" : "homeotropic"));
+    const auto tensor = box.extension("order_tensor", 2);
+    for (std::size_t n = 0; n < box.dummies.position.size(); ++n) {
+      const auto& at = box.dummies.position[n];
+      const double beyond_x = std::max(-at[0], at[0] - 1.0);
+      const double beyond_y = std::max(-at[1], at[1] - 2.0);
+      if (std::abs(beyond_x - beyond_y) < 1e-12) continue;  // on the diagonal of a corner
+      EXPECT_NEAR(tensor[2 * n].summand, (beyond_y > beyond_x) == planar ? 2.0 : -2.0, 1e-12);
+    }
+  }
+  box.set("anchoring", std::string("none"));
+  for (const Extension& rule : box.extension("order_tensor", 2)) EXPECT_EQ(rule.factor, 1.0);
+}
+
+TEST(Walls, ReflectWhatPassedThem) {
+  const WallsUnderTest channel;
+  std::array<double, 3> position{1.25, -0.125, 0.0};
+  std::array<std::int32_t, 3> images{};
+  channel.boundary->keep_inside(channel.scene, position.data(), images.data());
+  EXPECT_EQ(position, (std::array<double, 3>{0.25, 0.125, 0.0}));
+  EXPECT_EQ(images, (std::array<std::int32_t, 3>{1, 0, 0}));
+  position = {0.5, 2.125, 0.0};
+  channel.boundary->keep_inside(channel.scene, position.data(), images.data());
+  EXPECT_EQ(position[1], 1.875);
+}
+
+// Particles at random places, the fields read from the dummies: a linear field stays linear across the wall, so its
+// gradient is exact up to it.
+TEST(Walls, LinearFieldsStayLinearAcrossThem) {
+  CaseText text(1.0, 16);
+  text.section("domain", R"(size = [1.0, 1.0]
+boundary = { type = "walls", velocity_low = 0.0, velocity_high = 1.0 })");
+  text.section("particles", "spacing = 0.0625\narrangement = \"jittered\"").flow(0.1).read("\"velocity_gradient\"");
+  CaseRun run(text);
+  const auto y = run.path(1);
+  Field& velocity = run.world().fields.at("velocity");
+  for (Index i = 0; i < run.world().particles.count(); ++i) {
+    velocity.set(0, i, run.world().particles.position[1][i]);
+    velocity.set(1, i, 0.0);
+  }
+  ++velocity.version;
+  const auto slope = run.field("velocity_gradient", 1);
+  for (std::size_t i = 0; i < slope.size(); ++i) EXPECT_NEAR(slope[i], 1.0, 1e-11) << "at y = " << y[i];
+}
+
+TEST(Walls, FillTheSupportOfALattice) {
+  CaseText text(1.0, 16);
+  text.section("domain", R"(size = [1.0, 1.0]
+boundary = { type = "walls", axes = ["x", "y"] })")
+      .flow(0.1)
+      .read("\"volume\"");
+  CaseRun run(text);
+  const auto volume = run.field("volume");
+  for (const double v : volume) EXPECT_NEAR(v * 256.0, volume.front() * 256.0, 1e-12);
+}
+
+}  // namespace

@@ -1,0 +1,158 @@
+// Solid walls across one axis or more, the box periodic along the others: no slip, the director anchored or free.
+// Fixed dummy particles fill what the kernel reaches behind a wall. What they carry is taken from the mirror point in
+// the fluid (S. Marrone et al., Comput. Methods Appl. Mech. Engrg. 200, 1526 (2011)), so that it has the wall's value
+// half way, at the face of the box; pressure and whatever else has no value there has no slope.
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include "mesogen/diagnostics/error.hpp"
+#include "mesogen/domain/periodic.hpp"
+#include "mesogen/plugin/boundary.hpp"
+#include "mesogen/plugin/plugin.hpp"
+
+namespace {
+
+using namespace mesogen;
+
+class Walls final : public Boundary {
+ public:
+  void parameters(ParameterList& list) override {
+    list.texts("axes", axes_).choices({"x", "y"}).doc("axes with a wall at either end; the others are periodic");
+    list.number("velocity_low", velocity_low_)
+        .unit("m/s")
+        .doc("speed of the wall at the axis' beginning, along the wall (toward larger x or y)");
+    list.number("velocity_high", velocity_high_).unit("m/s").doc("the same of the wall at the axis' end");
+    list.text("anchoring", anchoring_)
+        .choices({"none", "planar", "homeotropic", "angle"})
+        .doc("director at the walls: free (no torque), along them, across them, or at angle_low and angle_high");
+    list.number("angle_low", angle_low_)
+        .unit("degree")
+        .at_least(-180)
+        .at_most(180)
+        .doc("director's angle to the x axis at the wall of the axis' beginning, with anchoring = \"angle\"");
+    list.number("angle_high", angle_high_)
+        .unit("degree")
+        .at_least(-180)
+        .at_most(180)
+        .doc("the same at the axis' end; it matters whether both turn the same way: 90 and -90 are one director");
+    list.number("order", order_).unit("1").at_least(0).at_most(1).doc("order q at an anchoring wall");
+  }
+
+  [[nodiscard]] bool periodic(int axis) const override { return !has_wall(axis); }
+  [[nodiscard]] bool wraps(int axis) const override { return !has_wall(axis); }
+
+  /// A particle that the shift or a rough flow carried through a wall is reflected by it.
+  void keep_inside(const Scene& scene, double* position, std::int32_t* images) const override {
+    for (int d = 0; d < scene.dimension; ++d) {
+      const double length = scene.box[static_cast<unsigned>(d)];
+      if (!has_wall(d)) {
+        wrap_into_box(length, position[d], images[d]);
+      } else if (position[d] < 0.0 && position[d] > -length) {
+        position[d] = -position[d];
+      } else if (position[d] > length && position[d] < 2.0 * length) {
+        position[d] = 2.0 * length - position[d];
+      }
+    }
+  }
+
+  /// The lattice of the particles, continued behind the walls.
+  void dummies(const Scene& scene, double reach, Dummies& out) const override {
+    out = {};
+    std::array<int, 3> first{};
+    std::array<int, 3> last{};
+    std::array<double, 3> step{};
+    for (unsigned d = 0; d < 3; ++d) {
+      if (static_cast<int>(d) >= scene.dimension) continue;
+      const int inside = static_cast<int>(std::lround(scene.box[d] / scene.spacing));
+      step[d] = scene.box[d] / inside;
+      const int layers = has_wall(static_cast<int>(d)) ? static_cast<int>(std::ceil(reach / step[d])) : 0;
+      first[d] = -layers;
+      last[d] = inside + layers - 1;
+    }
+    std::array<int, 3> at{};
+    for (at[2] = first[2]; at[2] <= last[2]; ++at[2])
+      for (at[1] = first[1]; at[1] <= last[1]; ++at[1])
+        for (at[0] = first[0]; at[0] <= last[0]; ++at[0]) add(scene, at, step, out);
+  }
+
+  void extend(const Scene& scene, std::string_view field, int components, const Dummies& dummies,
+              std::vector<Extension>& extension) const override {
+    const bool no_slip = field == "velocity";
+    const bool anchored = field == "order_tensor" && anchoring_ != "none";
+    if (!no_slip && !anchored) return;
+    for (std::size_t n = 0; n < dummies.position.size(); ++n) {
+      const Wall wall = wall_of(scene, dummies.position[n]);
+      const std::array<double, 3> held = no_slip ? wall_velocity(wall) : wall_order(wall);
+      for (int c = 0; c < components; ++c)
+        extension[n * static_cast<std::size_t>(components) + static_cast<std::size_t>(c)] = {
+            -1.0, 2.0 * held.at(static_cast<std::size_t>(c))};
+    }
+  }
+
+ private:
+  struct Wall {
+    int axis = 0;
+    bool high = false;
+  };
+
+  [[nodiscard]] bool has_wall(int axis) const {
+    const char* const name = axis == 0 ? "x" : (axis == 1 ? "y" : "z");
+    return std::find(axes_.begin(), axes_.end(), name) != axes_.end();
+  }
+
+  static void add(const Scene& scene, const std::array<int, 3>& at, const std::array<double, 3>& step, Dummies& out) {
+    std::array<double, 3> position{};
+    std::array<double, 3> mirror{};
+    bool outside = false;
+    for (unsigned d = 0; d < static_cast<unsigned>(scene.dimension); ++d) {
+      position[d] = (at[d] + 0.5) * step[d];
+      mirror[d] = position[d] < 0.0 ? -position[d] : std::min(position[d], 2.0 * scene.box[d] - position[d]);
+      outside = outside || position[d] < 0.0 || position[d] > scene.box[d];
+    }
+    if (!outside) return;
+    out.position.push_back(position);
+    out.mirror.push_back(mirror);
+  }
+
+  /// In a corner the wall that is farther away counts: its dummies lie deeper behind it.
+  [[nodiscard]] static Wall wall_of(const Scene& scene, const std::array<double, 3>& position) {
+    Wall wall;
+    double deepest = 0.0;
+    for (unsigned d = 0; d < static_cast<unsigned>(scene.dimension); ++d) {
+      const double depth = std::max(-position[d], position[d] - scene.box[d]);
+      if (depth <= deepest) continue;
+      deepest = depth;
+      wall = {static_cast<int>(d), position[d] > 0.0};
+    }
+    return wall;
+  }
+
+  [[nodiscard]] std::array<double, 3> wall_velocity(const Wall& wall) const {
+    std::array<double, 3> velocity{};
+    velocity[wall.axis == 0 ? 1 : 0] = wall.high ? velocity_high_ : velocity_low_;
+    return velocity;
+  }
+
+  [[nodiscard]] std::array<double, 3> wall_order(const Wall& wall) const {
+    double angle = (wall.high ? angle_high_ : angle_low_) * std::numbers::pi / 180.0;
+    if (anchoring_ == "planar") angle = wall.axis == 0 ? std::numbers::pi / 2.0 : 0.0;
+    if (anchoring_ == "homeotropic") angle = wall.axis == 0 ? 0.0 : std::numbers::pi / 2.0;
+    return {order_ * std::cos(2.0 * angle), order_ * std::sin(2.0 * angle), 0.0};
+  }
+
+  std::vector<std::string> axes_{"y"};
+  double velocity_low_ = 0.0;
+  double velocity_high_ = 0.0;
+  std::string anchoring_ = "none";
+  double angle_low_ = 0.0;
+  double angle_high_ = 0.0;
+  double order_ = 1.0;
+};
+
+}  // namespace
+
+MESOGEN_BOUNDARY_PLUGIN(Walls, "walls", "1.0.0",
+                        "Solid walls: no slip, anchored or free director; fixed dummy particles")

@@ -1,0 +1,155 @@
+// Flow and director between solid walls, against exact solutions.
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "case_run.hpp"
+
+namespace {
+
+using namespace mesogen::test;
+
+constexpr double pi = std::numbers::pi;
+
+/// A channel of 1 m between walls across y, `across` particles high and 12 wide.
+CaseText channel(int across, const std::string& walls = "") {
+  CaseText text(1.0, across);
+  text.section("domain", fmt::format("size = [{}, 1.0]\nboundary = {{ type = \"walls\"{} }}", 12.0 / across, walls));
+  return text;
+}
+
+/// Root of the mean square of values - exact(y), relative to that of the exact ones.
+template <class Exact>
+double error_of(CaseRun& run, const std::vector<double>& values, const Exact& exact) {
+  const auto y = run.path(1);
+  double wrong = 0.0;
+  double all = 0.0;
+  for (std::size_t i = 0; i < y.size(); ++i) {
+    wrong += std::pow(values[i] - exact(y[i]), 2);
+    all += std::pow(exact(y[i]), 2);
+  }
+  return std::sqrt(wrong / all);
+}
+
+// Started from rest: u = f y (H - y) / (2 mu) - sum over odd n of 4 f H^2 / (mu pi^3 n^3) sin(n pi y / H) e^(-n^2 pi^2
+// nu t / H^2)
+double poiseuille_error(int across, const std::string& arrangement) {
+  constexpr double force = 0.05;
+  constexpr double viscosity = 0.1;
+  CaseText text = channel(across);
+  text.section("particles", fmt::format("spacing = {}\narrangement = \"{}\"", 1.0 / across, arrangement));
+  text.flow(viscosity, "expected_speed = 0.0625")
+      .section("physics.drive", "type = \"body_force\"\nforce = [0.05, 0.0]");
+  CaseRun run(text);
+  run.run_to(1.0);
+  return error_of(run, run.field("velocity", 0), [&](double y) {
+    double u = force * y * (1.0 - y) / (2.0 * viscosity);
+    for (int n = 1; n < 100; n += 2)
+      u -= 4.0 * force / (viscosity * std::pow(pi * n, 3)) * std::sin(n * pi * y) *
+           std::exp(-n * n * pi * pi * viscosity);
+    return u;
+  });
+}
+
+TEST(Poiseuille, ConvergesInSecondOrder) {
+  const double coarse = poiseuille_error(20, "lattice");
+  const double middle = poiseuille_error(40, "lattice");
+  const double fine = poiseuille_error(80, "lattice");
+  EXPECT_LT(fine, 5e-4);
+  EXPECT_GT(std::log2(coarse / middle), 1.9) << coarse << ", " << middle;
+  EXPECT_GT(std::log2(middle / fine), 1.9) << middle << ", " << fine;
+}
+
+// Disordered particles: the Laplacian's own error on them remains (see the architecture's weak spots).
+TEST(Poiseuille, HoldsOnDisorderedParticles) { EXPECT_LT(poiseuille_error(40, "jittered"), 4e-3); }
+
+// The upper wall moves: u = U y / H.
+TEST(Couette, ReachesALinearProfile) {
+  CaseText text = channel(20, ", velocity_low = -0.05, velocity_high = 0.1");
+  text.flow(0.1, "expected_speed = 0.1");
+  CaseRun run(text);
+  run.run_to(8.0);
+  EXPECT_LT(error_of(run, run.field("velocity", 0), [](double y) { return -0.05 + 0.15 * y; }), 1e-3);
+}
+
+/// Without flow the angle of an anchored director obeys dtheta/dt = Gamma K theta_yy. From 0.02 rad everywhere, held at
+/// 0 by both walls: theta = sum over odd n of 0.08 / (n pi) sin(n pi y / H) e^(-n^2 pi^2 Gamma K t / H^2).
+double error_of_relaxation(int across) {
+  constexpr double elastic_constant = 0.01;
+  constexpr double time = 10.0;
+  CaseText text = channel(across, ", anchoring = \"planar\"");
+  text.nematic(1.0, 0.0, elastic_constant).section("director", "type = \"uniform\"\nangle = 0.02");
+  CaseRun run(text);
+  run.run_to(time);
+  auto theta = run.field("order_tensor", 1);
+  for (double& value : theta) value /= 2.0;
+  return error_of(run, theta, [&](double y) {
+    double exact = 0.0;
+    for (int n = 1; n < 60; n += 2)
+      exact += 0.08 / (n * pi) * std::sin(n * pi * y) * std::exp(-n * n * pi * pi * elastic_constant * time);
+    return exact;
+  });
+}
+
+TEST(AnchoredDirector, RelaxesAtTheExactRate) {
+  const double coarse = error_of_relaxation(20);
+  const double fine = error_of_relaxation(40);
+  EXPECT_LT(fine, 3e-3);
+  EXPECT_GT(std::log2(coarse / fine), 1.5) << coarse << ", " << fine;
+}
+
+// Anchored along one wall and at 40 degrees at the other, the angle becomes linear, with q^2 = 1 - 4 K theta_y^2
+// everywhere.
+TEST(AnchoredDirector, ReachesTheLinearProfile) {
+  constexpr double elastic_constant = 0.02;
+  const double angle = 40.0 * pi / 180.0;
+  const double order = std::sqrt(1.0 - 4.0 * elastic_constant * angle * angle);
+  CaseText text = channel(20, fmt::format(", anchoring = \"angle\", angle_high = 40.0, order = {}", order));
+  text.nematic(1.0, 0.0, elastic_constant).section("director", "type = \"uniform\"\nangle = 0.0");
+  CaseRun run(text);
+  run.run_to(50.0);
+  auto theta = run.field("order_tensor", 1);
+  auto q = run.field("order_tensor", 0);
+  for (std::size_t i = 0; i < theta.size(); ++i) {
+    const double q12 = theta[i];
+    theta[i] = 0.5 * std::atan2(q12, q[i]);
+    q[i] = std::hypot(q[i], q12);
+  }
+  EXPECT_LT(error_of(run, theta, [&](double y) { return angle * y; }), 2e-3);
+  EXPECT_LT(error_of(run, q, [&](double) { return order; }), 1e-3);
+}
+
+// An active fluid between walls flows by itself beyond a threshold (Voituriez, Joanny, Prost, Europhys. Lett. 70, 404
+// (2005)). Director along the walls, contractile: theta ~ sin(2 pi y / H) grows at
+//   s = -(1 - lambda / (2 q)) zeta q / mu - Gamma K (2 pi / H)^2
+// where inertia and the pull of the director on the flow (no elastic stress here) are left out.
+double growth_of_spontaneous_flow(double activity) {
+  CaseText text = channel(24, ", anchoring = \"planar\"");
+  text.flow(0.3).nematic(1.0, 0.5, 1e-3).active(activity);
+  text.modes("director", fmt::format("[[0, 1, 0.001, {}]]", -pi / 2.0));
+  CaseRun run(text);
+  const auto amplitude = [&] {
+    const auto q12 = run.field("order_tensor", 1);
+    const auto y = run.path(1);
+    double sum = 0.0;
+    for (std::size_t i = 0; i < y.size(); ++i) sum += q12[i] * std::sin(2.0 * pi * y[i]);
+    return sum;
+  };
+  run.run_to(0.5);  // the flow has set in
+  const double begun = amplitude();
+  run.run_to(3.5);
+  return std::log(amplitude() / begun) / 3.0;
+}
+
+TEST(ActiveChannel, FlowsByItselfBeyondTheThreshold) {
+  const double damping = 1e-3 * 4.0 * pi * pi;
+  const double threshold = -damping * 0.3 / 0.75;
+  EXPECT_NEAR(growth_of_spontaneous_flow(3.0 * threshold), 2.0 * damping, 0.05 * 2.0 * damping);
+  EXPECT_NEAR(growth_of_spontaneous_flow(0.5 * threshold), -0.5 * damping, 0.05 * 0.5 * damping);
+  EXPECT_NEAR(growth_of_spontaneous_flow(-threshold), -2.0 * damping, 0.05 * 2.0 * damping) << "extensile";
+}
+
+}  // namespace
