@@ -4,20 +4,12 @@
 #include <set>
 
 #include "options.hpp"
+#include "plugin_facts.hpp"
 #include "verbs.hpp"
 
 namespace mesogen::app {
 
 namespace {
-
-std::string advance_text(const FieldDeclaration& field) {
-  switch (field.advance) {
-    case Advance::never: return "";
-    case Advance::midpoint: return "advanced with " + field.rate;
-    case Advance::predicted: return "predicted and corrected with " + field.rate;
-  }
-  return "";
-}
 
 /// Fields that the framework makes for whoever reads them.
 std::set<std::string> derived_fields(const Setup& setup) {

@@ -1,10 +1,13 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <array>
+#include <filesystem>
 #include <memory>
 
 #include "case/nearest.hpp"
 #include "options.hpp"
+#include "plugin_json.hpp"
 #include "plugin_text.hpp"
 #include "verbs.hpp"
 
@@ -12,31 +15,60 @@ namespace mesogen::app {
 
 namespace {
 
+namespace fs = std::filesystem;
+
+struct Options {
+  PluginFolders folders;
+  std::string name;
+  bool json = false;
+};
+
 constexpr std::array kinds{PluginKind::kernel, PluginKind::boundary, PluginKind::physics, PluginKind::observer};
 
-ExitCode list(const PluginFolders& folders) {
-  const auto registry = load_plugins(folders);
+/// Relative to the current folder if it lies below, which is easier to read.
+std::string readable(const fs::path& file) {
+  std::error_code ignored;
+  const auto here = fs::current_path(ignored);
+  const auto relative = file.lexically_relative(here);
+  return ignored || relative.empty() || *relative.begin() == ".." ? file.string() : relative.string();
+}
+
+ExitCode list(const Options& options) {
+  const auto registry = load_plugins(options.folders, options.json);
+  if (options.json) {
+    Json plugins = Json::array();
+    for (const auto& [descriptor, file, instruction_set] : registry.all())
+      plugins.push_back({{"kind", to_string(descriptor->kind)},
+                         {"name", descriptor->name},
+                         {"version", descriptor->version},
+                         {"summary", descriptor->summary},
+                         {"file", file.string()},
+                         {"instruction_set", instruction_set}});
+    Json refused = Json::array();
+    for (const auto& [file, reason] : registry.refused())
+      refused.push_back({{"file", file.string()}, {"reason", reason}});
+    fmt::print("{}", document({{"plugins", plugins}, {"refused", refused}}));
+    return ExitCode::done;
+  }
   for (const auto kind : kinds) {
     fmt::print("{}\n", to_string(kind));
-    for (const auto& plugin : registry.all())
-      if (plugin.descriptor->kind == kind)
-        fmt::print("  {:<20} {:<8} {}\n", plugin.descriptor->name, plugin.descriptor->version,
-                   plugin.descriptor->summary);
+    for (const auto& [descriptor, file, instruction_set] : registry.all())
+      if (descriptor->kind == kind)
+        fmt::print("  {:<20} {:<8} {}\n  {:<20} {:<8} {}\n", descriptor->name, descriptor->version, descriptor->summary,
+                   "", "", readable(file));
   }
   return ExitCode::done;
 }
 
-ExitCode info(const PluginFolders& folders, const std::string& name) {
-  const auto registry = load_plugins(folders);
-  bool found = false;
+/// There may be several of one name, each of another kind.
+std::vector<PluginFacts> facts_of(const PluginRegistry& registry, const std::string& name) {
+  std::vector<PluginFacts> found;
   std::vector<std::string> names;
   for (const auto& plugin : registry.all()) {
     names.emplace_back(plugin.descriptor->name);
-    if (names.back() != name) continue;
-    fmt::print("{}{}", found ? "\n" : "", info_text(registry, plugin));
-    found = true;
+    if (names.back() == name) found.push_back(plugin_facts(registry, plugin));
   }
-  if (found) return ExitCode::done;
+  if (!found.empty()) return found;
   for (const auto& refused : registry.refused())
     if (refused.file.stem() == name)
       throw Error(ExitCode::plugin_refused,
@@ -45,22 +77,35 @@ ExitCode info(const PluginFolders& folders, const std::string& name) {
                                               fmt::join(names, ", "), did_you_mean(name, names)));
 }
 
+ExitCode info(const Options& options) {
+  const auto found = facts_of(load_plugins(options.folders), options.name);
+  if (options.json) {
+    Json plugins = Json::array();
+    for (const auto& facts : found) plugins.push_back(info_json(facts));
+    fmt::print("{}", document({{"plugins", plugins}}));
+  } else {
+    for (std::size_t n = 0; n < found.size(); ++n) fmt::print("{}{}", n > 0 ? "\n" : "", info_text(found[n]));
+  }
+  return ExitCode::done;
+}
+
 }  // namespace
 
 void add_plugin(CLI::App& command, Action& action) {
   auto* const plugin = command.add_subcommand("plugin", "Tell about plugins");
   plugin->require_subcommand(0, 1);
 
-  const auto folders = std::make_shared<PluginFolders>();
-  auto* const list_verb = plugin->add_subcommand("list", "All plugins, by kind");
-  add_plugin_path(*list_verb, *folders);
-  list_verb->callback([&action, folders] { action = [folders] { return list(*folders); }; });
-
-  const auto name = std::make_shared<std::string>();
-  auto* const info_verb = plugin->add_subcommand("info", "Parameters, fields and passes of one plugin, and its file");
-  info_verb->add_option("name", *name, "Name of a plugin")->type_name("NAME")->required();
-  add_plugin_path(*info_verb, *folders);
-  info_verb->callback([&action, folders, name] { action = [folders, name] { return info(*folders, *name); }; });
+  const auto options = std::make_shared<Options>();
+  auto* const list_verb = plugin->add_subcommand("list", "All plugins, by kind, with their files");
+  auto* const info_verb =
+      plugin->add_subcommand("info", "Parameters, fields, passes, quantities of one plugin, and its file");
+  info_verb->add_option("name", options->name, "Name of a plugin")->type_name("NAME")->required();
+  for (auto* const verb : {list_verb, info_verb}) {
+    verb->add_flag("--json", options->json, "For programs");
+    add_plugin_path(*verb, options->folders);
+  }
+  list_verb->callback([&action, options] { action = [options] { return list(*options); }; });
+  info_verb->callback([&action, options] { action = [options] { return info(*options); }; });
 }
 
 }  // namespace mesogen::app

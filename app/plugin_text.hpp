@@ -2,12 +2,11 @@
 
 #include <string>
 
-#include "plugin/registry.hpp"
+#include "plugin_facts.hpp"
 
 namespace mesogen::app {
 
-/// All that a plugin says of itself: kind, version, file, parameters, and by kind its form, fields and passes, or
-/// quantities.
-std::string info_text(const PluginRegistry& registry, const LoadedPlugin& plugin);
+/// A plugin for people: what `plugin info` prints.
+std::string info_text(const PluginFacts& facts);
 
 }  // namespace mesogen::app

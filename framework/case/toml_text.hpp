@@ -12,7 +12,7 @@ std::string number_text(double value);
 /// A TOML basic string, in quotes.
 std::string text_literal(std::string_view text);
 /// A value on one line, as it may stand behind `key = `.
-std::string inline_text(const Value& value);
+MESOGEN_EXPORT std::string inline_text(const Value& value);
 /// The same for a message: shortened if it is long.
 std::string shown(const Value& value);
 /// A whole table as a TOML document.

@@ -1,6 +1,8 @@
 """plugin list and plugin info; plugins that are refused."""
 
+import json
 import os
+import re
 import shutil
 import unittest
 
@@ -24,9 +26,32 @@ class Plugins(CommandTest):
         for line in out.splitlines():
             if not line.startswith(" "):
                 kind = line
-            else:
+            elif not line.endswith(".so"):
                 listed.append((kind, line.split()[0]))
         self.assertEqual(sorted(listed), sorted(plugins_of_the_project()))
+
+    def test_list_names_the_file_of_every_plugin(self):
+        out, _ = self.mesogen("plugin", "list", MESOGEN_SIMD="baseline")
+        for _, name in plugins_of_the_project():
+            self.assertRegex(out, rf"(?m)^  {name} .*\n +{re.escape(os.path.join(BUILT, name))}\.so$")
+
+    def test_list_names_files_below_the_current_folder_from_there(self):
+        os.mkdir(self.path("mine"))
+        shutil.copy(os.path.join(BROKEN_PLUGINS, "twin_a", "first_twin.so"), self.path("mine"))
+        out, _ = self.mesogen("plugin", "list", "--plugin-path", "mine")
+        self.assertRegex(out, r"(?m)^  twin +1\.0\.0 +Cubic spline\n +mine/first_twin\.so$")
+
+    def test_list_for_programs(self):
+        out, err = self.mesogen("plugin", "list", "--json", "--plugin-path", os.path.join(BROKEN_PLUGINS, "wrong_abi"))
+        self.assertEqual(err, "")
+        told = json.loads(out)
+        self.assertEqual(sorted((plugin["kind"], plugin["name"]) for plugin in told["plugins"]),
+                         sorted(plugins_of_the_project()))
+        for plugin in told["plugins"]:
+            self.assertTrue(os.path.isabs(plugin["file"]) and os.path.exists(plugin["file"]), plugin)
+            self.assertIn(plugin["instruction_set"], ("baseline", "x86-64-v3", "x86-64-v4"))
+        self.assertEqual([os.path.basename(refused["file"]) for refused in told["refused"]], ["wrong_abi.so"])
+        self.assertIn("plugin interface 99", told["refused"][0]["reason"])
 
     def test_info_of_every_plugin_documents_every_parameter(self):
         for kind, name in plugins_of_the_project():
@@ -39,6 +64,61 @@ class Plugins(CommandTest):
         out, _ = self.mesogen("plugin", "info", "wcsph")
         self.assertRegex(out, r"viscosity +number, in Pa s, > 0, required")
         self.assertRegex(out, r"adds to: .*acceleration")
+        self.assertRegex(out, r"(?m)^plugin interface: \d+, built with (gcc|clang)-itanium")
+        self.assertIn("moves particles with: velocity, shift_velocity", out)
+
+    def test_info_of_an_observer_tells_what_it_records(self):
+        out, _ = self.mesogen("plugin", "info", "defects")
+        self.assertIn("\nreads: order_tensor\n", out)
+        self.assertRegex(out, r"(?m)^  defects +a changing number of rows of 4 numbers, in m, m, 1, rad$")
+        out, _ = self.mesogen("plugin", "info", "pathlines")
+        self.assertIn("\nlooks after every step\n", out)
+
+    def info(self, name):
+        out, err = self.mesogen("plugin", "info", name, "--json")
+        self.assertEqual(err, "")
+        plugins = json.loads(out)["plugins"]
+        self.assertEqual([plugin["name"] for plugin in plugins], [name])
+        return plugins[0]
+
+    def test_info_for_programs_of_every_plugin(self):
+        for kind, name in plugins_of_the_project():
+            told = self.info(name)
+            self.assertEqual(told["kind"], kind)
+            self.assertRegex(told["version"], r"^\d+\.\d+\.\d+$")
+            self.assertTrue(told["file"].endswith(f"{name}.so"))
+            self.assertRegex(told["build_tag"], r"^(gcc|clang)-itanium\d+-cxx11abi\d$")
+            self.assertGreaterEqual(told["abi"], 1)
+            self.assertNotIn("not_described", told)
+            for parameter in told["parameters"]:
+                self.assertTrue(parameter["meaning"], f"{name}: {parameter['name']} has no meaning")
+                self.assertNotEqual("default" in parameter, parameter["required"], parameter)
+
+    def test_info_for_programs_of_physics(self):
+        told = self.info("wcsph")
+        viscosity = next(parameter for parameter in told["parameters"] if parameter["name"] == "viscosity")
+        self.assertEqual(viscosity, {"name": "viscosity", "type": "number", "unit": "Pa s", "range": "> 0",
+                                     "required": True, "meaning": "mu: dynamic viscosity",
+                                     "schema": {"description": "mu: dynamic viscosity, in Pa s", "type": "number",
+                                                "exclusiveMinimum": 0.0}})
+        shift = next(parameter for parameter in told["parameters"] if parameter["name"] == "shift")
+        self.assertEqual((shift["default"], shift["schema"]["maximum"]), (1.0, 10.0))
+        velocity = next(field for field in told["fields"] if field["name"] == "velocity")
+        self.assertEqual(velocity, {"name": "velocity", "rank": "vector", "unit": "m/s", "meaning": "u",
+                                    "advanced": "predicted and corrected", "rate": "acceleration"})
+        first = told["passes"][0]
+        self.assertEqual(first, {"name": "continuity", "phase": "rates", "reads": ["compression", "velocity_gradient"],
+                                 "reads_neighbours": [], "reads_if_present": [],
+                                 "writes": ["compression_midpoint", "density"], "accumulates": ["compression_rate"]})
+        self.assertEqual(told["moves_particles"], {"velocity": "velocity", "shift": "shift_velocity"})
+
+    def test_info_for_programs_of_an_observer_and_a_kernel(self):
+        told = self.info("defects")
+        self.assertEqual((told["reads"], told["reads_if_present"], told["every_step"]), (["order_tensor"], [], False))
+        table = told["quantities"][-1]
+        self.assertEqual((table["name"], table["unit"], table["columns"], table["varying"]),
+                         ("defects", "m, m, 1, rad", 4, True))
+        self.assertEqual(self.info("quintic")["shape"]["support"], 3.0)
 
     def test_info_of_an_unknown_plugin(self):
         _, err = self.mesogen("plugin", "info", "quintik", code=2)

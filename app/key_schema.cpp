@@ -1,0 +1,98 @@
+#include "key_schema.hpp"
+
+#include <cmath>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+
+namespace mesogen::app {
+
+namespace {
+
+/// The type of the values, element by element.
+class TypeWriter {
+ public:
+  explicit TypeWriter(const Parameter& parameter) : parameter_(parameter) {}
+
+  Json operator()(const double*) const { return number("number"); }
+  Json operator()(const std::optional<double>*) const {
+    if (parameter_.word.empty()) return number("number");
+    return {{"anyOf", {number("number"), {{"const", parameter_.word}}}}};
+  }
+  Json operator()(const std::int64_t*) const { return number("integer"); }
+  Json operator()(const bool*) const { return {{"type", "boolean"}}; }
+  Json operator()(const std::string*) const { return text(); }
+  Json operator()(const std::vector<double>*) const { return sized_list(); }
+  Json operator()(const std::vector<std::string>*) const { return {{"type", "array"}, {"items", text()}}; }
+  Json operator()(const Parameter::Rows*) const { return {{"type", "array"}, {"items", sized_list()}}; }
+
+ private:
+  [[nodiscard]] Json number(const char* type) const {
+    Json schema = {{"type", type}};
+    const auto& p = parameter_;
+    if (std::isfinite(p.lowest)) schema[p.lowest_excluded ? "exclusiveMinimum" : "minimum"] = p.lowest;
+    if (std::isfinite(p.highest)) schema[p.highest_excluded ? "exclusiveMaximum" : "maximum"] = p.highest;
+    return schema;
+  }
+  [[nodiscard]] Json text() const {
+    Json schema = {{"type", "string"}};
+    if (!parameter_.choice_list.empty()) schema["enum"] = parameter_.choice_list;
+    return schema;
+  }
+  [[nodiscard]] Json sized_list() const {
+    Json schema = {{"type", "array"}, {"items", number("number")}};
+    Json sizes = Json::array();
+    for (const auto size : parameter_.size_list) sizes.push_back({{"minItems", size}, {"maxItems", size}});
+    if (sizes.size() == 1) schema.update(sizes.front());
+    if (sizes.size() > 1) schema["anyOf"] = sizes;
+    return schema;
+  }
+
+  const Parameter& parameter_;
+};
+
+std::string description(const Parameter& parameter) {
+  std::string text = parameter.doc_text;
+  if (parameter.unit_text != "1") text += (text.empty() ? "in " : ", in ") + parameter.unit_text;
+  return text;
+}
+
+/// The keys under one name: itself, or those of the table "bulk" as A, B, C.
+std::vector<DeclaredKey> inner_keys(const std::vector<DeclaredKey>& keys, const std::string& table) {
+  std::vector<DeclaredKey> inner;
+  for (const auto& key : keys) {
+    if (!key.parameter.name.starts_with(table + ".")) continue;
+    inner.push_back(key);
+    inner.back().parameter.name.erase(0, table.size() + 1);
+  }
+  return inner;
+}
+
+}  // namespace
+
+Json key_schema(const DeclaredKey& key) {
+  Json schema = Json::object();
+  if (const auto text = description(key.parameter); !text.empty()) schema["description"] = text;
+  schema.update(std::visit(TypeWriter(key.parameter), key.parameter.target));
+  if (key.standard) schema["default"] = to_json(*key.standard);
+  return schema;
+}
+
+Json table_schema(const std::vector<DeclaredKey>& keys) {
+  Json properties = Json::object();
+  Json required = Json::array();
+  for (const auto& key : keys) {
+    const std::string name = key.parameter.name.substr(0, key.parameter.name.find('.'));
+    if (properties.contains(name)) continue;
+    const bool is_table = name != key.parameter.name;
+    properties[name] = is_table ? table_schema(inner_keys(keys, name)) : key_schema(key);
+    if (is_table ? properties[name].contains("required") : key.parameter.is_required) required.push_back(name);
+  }
+  Json schema = {{"type", "object"}, {"properties", properties}};
+  if (!required.empty()) schema["required"] = required;
+  schema["additionalProperties"] = false;
+  return schema;
+}
+
+}  // namespace mesogen::app

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "case/declared_keys.hpp"
+#include "mesogen/sph/kernel_shape.hpp"
+#include "plugin/registry.hpp"
+
+namespace mesogen::app {
+
+/// All that a plugin says of itself, gathered once for every way of showing it. Nothing here refers to the plugin's
+/// own objects.
+struct PluginFacts {
+  PluginKind kind{};
+  std::string name;
+  std::string version;
+  std::string summary;
+  std::int32_t abi = 0;
+  std::string build_tag;
+  std::string file;
+  std::string instruction_set;
+  std::vector<DeclaredKey> keys;
+
+  std::optional<sph::KernelShape> shape;  ///< kernels
+
+  std::vector<FieldDeclaration> fields;  ///< physics, with default parameters
+  std::vector<Pass> passes;              ///< without their bodies
+  std::string velocity;                  ///< moves the particles with this field
+  std::string shift;                     ///< and, beside it, with this one
+
+  std::vector<std::string> reads;  ///< observers
+  std::vector<std::string> reads_if_present;
+  std::vector<Quantity> quantities;
+  bool follows = false;  ///< looks after every step
+
+  /// Why fields and passes, or quantities, cannot be told without a case: what the plugin answered.
+  std::string not_described;
+};
+
+/// Makes one object of the plugin and asks it. Throws an Error if that, or the declaration of parameters, fails.
+PluginFacts plugin_facts(const PluginRegistry& registry, const LoadedPlugin& plugin);
+
+/// The facts of every plugin, sorted by kind and name; tells on stderr of those that cannot be asked.
+std::vector<PluginFacts> all_plugin_facts(const PluginRegistry& registry);
+
+/// Where a plugin's parameters stand in a case: "[physics.NAME]".
+std::string_view place_in_case(PluginKind kind);
+std::string_view to_string(Phase phase);
+/// "advanced with order_tensor_rate"; empty for a field that only passes write.
+std::string advance_text(const FieldDeclaration& field);
+/// "one number", "rows of 4 numbers"
+std::string form_text(const Quantity& quantity);
+
+}  // namespace mesogen::app

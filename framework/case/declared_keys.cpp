@@ -1,0 +1,22 @@
+#include "case/declared_keys.hpp"
+
+#include <utility>
+#include <variant>
+
+#include "case/parameter_value.hpp"
+
+namespace mesogen {
+
+std::vector<DeclaredKey> declared_keys(const ParameterList& list) {
+  std::vector<DeclaredKey> keys;
+  for (const auto& parameter : list.all()) {
+    DeclaredKey key{parameter, std::nullopt};
+    if (!parameter.is_required) key.standard = current_value(parameter);
+    if (key.standard && take_value(parameter, *key.standard)) key.standard.reset();
+    std::visit([](auto*& target) { target = nullptr; }, key.parameter.target);
+    keys.push_back(std::move(key));
+  }
+  return keys;
+}
+
+}  // namespace mesogen
