@@ -41,6 +41,8 @@ int main(int count, char** arguments) {
     app::add_graph(command, action);
     app::add_plugin(command, action);
     app::add_field(command, action);
+    app::add_schema(command, action);
+    app::add_reference(command, action);
     app::add_report(command, action);
     try {
       command.parse(count, arguments);

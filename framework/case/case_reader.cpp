@@ -32,16 +32,15 @@ class CaseReader {
 
  private:
   void check_names() {
-    const std::vector<std::string> known = {"title",  "domain",  "particles", "kernel", "director",  "velocity",
-                                            "colour", "physics", "time",      "output", "observers", "run"};
+    std::vector<std::string> known = {"title"};
+    for (const auto& section : case_keys::sections())
+      if (!section.name.empty() && section.name.find('.') == std::string::npos) known.push_back(section.name);
     for (const auto& [key, place, value] : *case_.tree->as<Value::Table>()) {
       if (std::find(known.begin(), known.end(), key) == known.end()) {
         const auto hint = did_you_mean(key, known);
         problems_.add(place, key, "unknown section or key" + (hint.empty() ? "; known here: " + listed(known) : hint));
       } else if (key == "title") {
-        ParameterList list;
-        list.text("title", case_.title);
-        CaseSection("", case_.tree, case_.tree->place).read_only(list, problems_);
+        CaseSection("", case_.tree, case_.tree->place).read_only(case_keys::title(case_.title), problems_);
       } else if (value.as<Value::Table>() == nullptr) {
         problems_.add(value.place, key, "must be a table, [" + key + "], but is " + shown(value));
       }
@@ -144,9 +143,7 @@ class CaseReader {
   /// The choice that a section with a key `type` makes.
   PluginChoice choice(const CaseSection& from, std::vector<std::string> framework_keys) {
     PluginChoice result{"", from.name(), from, from.full_key("type"), from.place_of("type"), std::move(framework_keys)};
-    ParameterList list;
-    list.text("type", result.type).doc("name of the plugin").required();
-    from.read_only(list, problems_);
+    from.read_only(case_keys::plugin(result.type), problems_);
     if (from.has("type")) refuse_empty_name(case_.tree->find_path(result.type_key), result.type_key);
     return result;
   }
@@ -206,10 +203,7 @@ class CaseReader {
   ObserverTiming timing(const CaseSection& observer) {
     ObserverTiming result;
     std::int64_t every = 0;
-    ParameterList list;
-    list.number_or("interval", result.interval, "").unit("s").above(0.0);
-    list.integer("every", every).unit("steps").at_least(1.0);
-    observer.read_only(list, problems_);
+    observer.read_only(case_keys::timing(result, every), problems_);
     if (every > 0) result.every = every;
     if (observer.has("interval") && observer.has("every"))
       problems_.add(observer.place_of("every"), observer.full_key("every"), "must not be given beside interval");

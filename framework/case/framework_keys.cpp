@@ -15,6 +15,45 @@ bool applies(const Section& section, const std::string& key) {
 
 }  // namespace
 
+const std::vector<Section>& sections() {
+  static const std::vector<Section> all = {
+      {.name = "", .doc = "Before the first section."},
+      {.name = "domain", .doc = "The box.", .required = true},
+      {.name = "domain.boundary",
+       .doc =
+           "What lies beyond the faces of the box: the name of a boundary plugin, or a table with its type and keys.",
+       .required = true,
+       .plugin = PluginKind::boundary},
+      {.name = "particles", .doc = "How the box is filled.", .required = true},
+      {.name = "kernel", .doc = "The smoothing kernel.", .required = true, .plugin = PluginKind::kernel},
+      {.name = "director",
+       .doc = "How the nematic starts; needed where a plugin brings an order tensor. The angle of the director is the "
+              "sum of `angle` and what the type adds."},
+      {.name = "velocity", .doc = "How the fluid moves at the start; by default it rests."},
+      {.name = "colour", .doc = "A dye that the particles carry, for the observer `mixing`."},
+      {.name = "physics",
+       .doc = "What happens: at least one table, named at will, such as [physics.flow].",
+       .required = true,
+       .instances = true,
+       .plugin = PluginKind::physics},
+      {.name = "time", .doc = "How long, and in which steps.", .required = true},
+      {.name = "output", .doc = "What is stored of the particles, and when."},
+      {.name = "observers",
+       .doc = "What is recorded: tables named at will, such as [observers.defects]. Each samples at the start, at the "
+              "end, and as `interval` or `every` says.",
+       .instances = true,
+       .plugin = PluginKind::observer},
+      {.name = "run", .doc = "How it is computed."},
+  };
+  return all;
+}
+
+ParameterList title(std::string& title) {
+  ParameterList list;
+  list.text("title", title).doc("what the case is, for people");
+  return list;
+}
+
 ParameterList domain(Case::Domain& domain) {
   ParameterList list;
   list.numbers("size", domain.size).unit("m").doc("edge lengths of the box").above(0.0).sizes({2}).required();
@@ -61,7 +100,7 @@ ParameterList director(Case::Director& director) {
   if (applies(director, "defects"))
     list.rows("defects", director.defects).doc("rows x (m), y (m), charge (0.5 or -0.5)").sizes({3}).required();
   if (applies(director, "core"))
-    list.number("core", director.core).unit("m").doc("core radius of the defects").above(0.0);
+    list.number("core", director.core).unit("m").doc("core radius of the defects; by default the spacing").above(0.0);
   return list;
 }
 
@@ -98,12 +137,16 @@ ParameterList time(Case::Time& time) {
 
 ParameterList output(Case::Output& output) {
   ParameterList list;
-  list.number("interval", output.interval).unit("s").doc("simulated time between stored frames").above(0.0);
+  list.number("interval", output.interval)
+      .unit("s")
+      .doc("simulated time between stored frames; by default the whole run")
+      .above(0.0);
   list.number("checkpoint_interval", output.checkpoint_interval)
       .unit("s")
       .doc("wall time between checkpoints")
       .above(0.0);
-  list.texts("fields", output.fields).doc("stored fields of the particles, beside their positions");
+  list.texts("fields", output.fields)
+      .doc("stored fields of the particles, beside their positions; by default those of these that the scene has");
   return list;
 }
 
@@ -111,6 +154,19 @@ ParameterList run(Case::Run& run, std::string& precision) {
   ParameterList list;
   list.text("precision", precision).doc("arithmetic of the pair sums").choices({"single", "double"});
   list.text("device", run.device).doc("where it runs").choices({"cpu", "cuda"});
+  return list;
+}
+
+ParameterList plugin(std::string& type) {
+  ParameterList list;
+  list.text("type", type).doc("name of the plugin").required();
+  return list;
+}
+
+ParameterList timing(ObserverTiming& timing, std::int64_t& every) {
+  ParameterList list;
+  list.number_or("interval", timing.interval, "").unit("s").doc("simulated time between samples").above(0.0);
+  list.integer("every", every).unit("steps").doc("steps between samples; not beside interval").at_least(1.0);
   return list;
 }
 

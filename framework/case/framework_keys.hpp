@@ -1,14 +1,29 @@
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "case/case.hpp"
+#include "mesogen/plugin/descriptor.hpp"
 
 /// The keys that the framework itself reads, bound to a case: for reading, for messages and for writing it back.
 /// Where keys depend on a type, the lists hold those of the type that the case has now.
 namespace mesogen::case_keys {
 
+/// A section of a case, or a part of one that chooses a plugin.
+struct Section {
+  std::string name;  ///< "domain", "domain.boundary"; empty: keys outside any section
+  std::string doc;
+  bool required = false;
+  bool instances = false;                           ///< holds tables named by the user, such as [physics.flow]
+  std::optional<PluginKind> plugin = std::nullopt;  ///< it chooses one of this kind, whose parameters are keys here too
+};
+/// All of them, in the order in which a case is best read.
+const std::vector<Section>& sections();
+
+ParameterList title(std::string& title);
 ParameterList domain(Case::Domain& domain);
 ParameterList particles(Case::Particles& particles);
 ParameterList kernel(double& smoothing_length_ratio);
@@ -19,6 +34,10 @@ ParameterList time(Case::Time& time);
 ParameterList output(Case::Output& output);
 /// `precision` holds the word for Case::Run::precision.
 ParameterList run(Case::Run& run, std::string& precision);
+/// The name of the plugin that a section chooses.
+ParameterList plugin(std::string& type);
+/// `every` holds the number for ObserverTiming::every; 0: not given.
+ParameterList timing(ObserverTiming& timing, std::int64_t& every);
 
 /// A key that means something only beside a certain value of another.
 struct IdleKey {

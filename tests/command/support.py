@@ -9,7 +9,7 @@ MESOGEN = os.environ["MESOGEN"]
 BROKEN_PLUGINS = os.environ["BROKEN_PLUGINS"]
 PROJECT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 VERBS = [["run"], ["resume"], ["check"], ["graph"], ["plugin"], ["plugin", "list"], ["plugin", "info"], ["field"],
-         ["field", "list"], ["report"]]
+         ["field", "list"], ["schema"], ["reference"], ["report"]]
 
 CASE = """\
 title = "A small nematic"
