@@ -40,6 +40,7 @@ ExitCode check(const CaseOptions& options) {
   fmt::print("box             {:.6g} m x {:.6g} m\n", scene.box[0], scene.box[1]);
   fmt::print("particles       {}, {}, spacing {:.6g} m\n", scene.particle_count, source.particles.arrangement,
              scene.spacing);
+  if (const auto fitted = fitted_spacing_text(source); !fitted.empty()) fmt::print("                {}\n", fitted);
   fmt::print("kernel          smoothing length {:.6g} m, support {:.6g} m, about {:.0f} neighbours\n",
              scene.smoothing_length, scene.support, neighbours);
   fmt::print("precision       {}\n", scene.precision == Precision::single_precision ? "single" : "double");

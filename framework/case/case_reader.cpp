@@ -38,6 +38,7 @@ class CaseReader {
     for (const auto& [key, place, value] : *case_.tree->as<Value::Table>()) {
       if (std::find(known.begin(), known.end(), key) == known.end()) {
         const auto hint = did_you_mean(key, known);
+        misspelt_.push_back(nearest(key, known));
         problems_.add(place, key, "unknown section or key" + (hint.empty() ? "; known here: " + listed(known) : hint));
       } else if (key == "title") {
         CaseSection("", case_.tree, case_.tree->place).read_only(case_keys::title(case_.title), problems_);
@@ -53,10 +54,11 @@ class CaseReader {
     return text;
   }
 
-  /// Is there something by this name that check_names has refused?
+  /// Is there something by this name, or by one that means it, that check_names has refused?
   [[nodiscard]] bool broken(const std::string& name) const {
     const auto* const value = case_.tree->find(name);
-    return value != nullptr && value->as<Value::Table>() == nullptr;
+    if (value == nullptr) return std::find(misspelt_.begin(), misspelt_.end(), name) != misspelt_.end();
+    return value->as<Value::Table>() == nullptr;
   }
 
   [[nodiscard]] CaseSection section(const std::string& path) const {
@@ -97,7 +99,8 @@ class CaseReader {
     const CaseSection particles = section("particles");
     read_dependent(particles, "arrangement", case_.particles.arrangement, case_.particles, case_keys::particles);
     const CaseSection director = section("director");
-    case_.director.given = director.given();
+    // As good as given while its name is misspelt: nobody is to ask for it as well.
+    case_.director.given = director.given() || broken("director");
     case_.director.core = case_.particles.spacing;
     if (director.given()) read_dependent(director, "type", case_.director.type, case_.director, case_keys::director);
     const CaseSection velocity = section("velocity");
@@ -212,6 +215,7 @@ class CaseReader {
 
   Case& case_;
   Problems& problems_;
+  std::vector<std::string> misspelt_;  ///< sections that unknown names most likely mean
 };
 
 }  // namespace

@@ -63,6 +63,21 @@ std::string arrangement_problem(const Case& source) {
   return {};
 }
 
+std::string fitted_spacing_text(const Case& source) {
+  const auto& size = source.domain.size;
+  const double spacing = source.particles.spacing;
+  const auto [columns, rows] = lattice_counts(source);
+  const bool hexagonal = source.particles.arrangement == "hexagonal";
+  const double column = size[0] / columns;
+  const double row = size[1] / rows;
+  const Hexagonal regular(spacing);
+  const auto differs = [](double fitted, double wanted) { return std::abs(fitted / wanted - 1.0) > 1e-9; };
+  if (!differs(column, hexagonal ? regular.column : spacing) && !differs(row, hexagonal ? regular.row : spacing))
+    return {};
+  if (hexagonal) return fmt::format("columns {:.6g} m and rows {:.6g} m apart, so that they fit the box", column, row);
+  return fmt::format("spacing {:.6g} m along x, {:.6g} m along y, so that whole rows fit the box", column, row);
+}
+
 Arrangement arrange(const Case& source) {
   const auto& size = source.domain.size;
   const auto& particles = source.particles;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <string>
 #include <vector>
 
 #include "case/case.hpp"
@@ -27,6 +28,10 @@ MESOGEN_EXPORT LatticeCounts lattice_counts(const Case& source);
 /// What is wrong with the spacing in this box: rounded to whole columns and rows it would change by more than 1 %
 /// (a hexagonal arrangement: 2 % in density, 10 % in shape). Empty if nothing is. read_case reports it.
 MESOGEN_EXPORT std::string arrangement_problem(const Case& source);
+
+/// How far apart particles are where whole columns and rows do not come out at the case's spacing: "spacing 0.1005 m
+/// along x, 0.1 m along y, so that whole rows fit the box". Empty where they do.
+MESOGEN_EXPORT std::string fitted_spacing_text(const Case& source);
 
 /// Particles of a checked case: a lattice of cell centres ((i + 1/2) dx, (j + 1/2) dy), row by row from the origin; a
 /// hexagonal one, every second row shifted by half a column; or the lattice with seeded uniform shifts.

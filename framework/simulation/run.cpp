@@ -49,6 +49,8 @@ class Run {
     log_.info(fmt::format("{} particles, {} threads, {}, first step {} s (limit: {})", setup_.scene.particle_count,
                           omp_get_max_threads(), precision(), number_text(stepper_.next_step(end()).seconds),
                           stepper_.next_step(end()).limit));
+    if (const std::string fitted = fitted_spacing_text(setup_.source); !fitted.empty())
+      log_.info("particles.spacing is " + number_text(setup_.scene.spacing) + " m: " + fitted);
     return go_on(results);
   }
 

@@ -115,6 +115,22 @@ class Looks(CommandTest):
             self.assertIn(part, out)
         self.assertEqual(os.listdir(self.folder), ["case.toml"])
 
+    def test_spacing_that_does_not_come_out_is_told(self):
+        fitted = "spacing 0.1 m along x, 0.1 m along y, so that whole rows fit the box"
+        case = self.write_case(CASE.replace("spacing = 0.1", "spacing = 0.0995"))
+        out, _ = self.mesogen("check", case)
+        self.assertIn(f"spacing 0.0995 m\n                {fitted}\n", out)
+        _, err = self.mesogen("run", case, "--output", "out")
+        self.assertIn(f"particles.spacing is 0.0995 m: {fitted}\n", err)
+        out, _ = self.mesogen("check", self.write_case())
+        self.assertNotIn("fit the box", out)
+
+    def test_misspelt_section_is_told_once(self):
+        for right, wrong in (("domain", "domian"), ("director", "directr"), ("kernel", "kernal")):
+            _, err = self.mesogen("check", self.write_case(CASE.replace(f"[{right}]", f"[{wrong}]")), code=2)
+            self.assertRegex(err, rf'^error: \S*case\.toml:\d+:\d+: {wrong}: unknown section or key; did you mean '
+                                  rf'"{right}"\?\n$')
+
     def test_check_of_every_case_of_the_project(self):
         cases = [os.path.join(folder, file) for folder, _, files in os.walk(os.path.join(PROJECT, "cases"))
                  for file in files if file.endswith(".toml")]

@@ -45,6 +45,14 @@ TEST(Arrangement, LatticeFillsTheBoxWhereTheSpacingIsRounded) {
   EXPECT_DOUBLE_EQ(particles.position[0][1] - particles.position[0][0], 10.0 / 45.0);
 }
 
+TEST(Arrangement, TellsTheSpacingThatFits) {
+  EXPECT_EQ(fitted_spacing_text(box(10.0, 5.0, 0.1, "lattice")), "");
+  EXPECT_EQ(fitted_spacing_text(box(10.0, 5.0, 0.2222, "jittered")),
+            "spacing 0.222222 m along x, 0.217391 m along y, so that whole rows fit the box");
+  EXPECT_EQ(fitted_spacing_text(box(10.0, 10.0, 0.25, "hexagonal")),
+            "columns 0.263158 m and rows 0.238095 m apart, so that they fit the box");
+}
+
 TEST(Arrangement, HexagonalIsPeriodicAndEven) {
   const auto source = box(10.0, 10.0, 0.25, "hexagonal");
   ASSERT_EQ(arrangement_problem(source), "");
