@@ -12,8 +12,11 @@ namespace {
 using mesogen::ExitCode;
 
 int tell(ExitCode code, const std::string& text) {
-  // Several errors of a case: one a line, beginning with file:line:column as editors like it.
-  const bool several = text.find('\n') != std::string::npos;
+  // Several errors of a case: one a line, beginning with file:line:column as editors like it. Lines that belong to the
+  // one before are indented.
+  bool several = false;
+  for (std::size_t at = 0; (at = text.find('\n', at)) != std::string::npos; ++at)
+    several = several || (at + 1 < text.size() && text[at + 1] != ' ');
   fmt::print(stderr, "{}{}{}", several ? "errors:\n" : "error: ", text, text.ends_with('\n') ? "" : "\n");
   return static_cast<int>(code);
 }
@@ -57,5 +60,7 @@ int main(int count, char** arguments) {
     return tell(ExitCode::run_failed, "there is not enough memory; take fewer particles, or single precision");
   } catch (const std::exception& error) {
     return tell(ExitCode::run_failed, fmt::format("unexpected: {}", error.what()));
+  } catch (...) {
+    return tell(ExitCode::run_failed, "unexpected: something that is no std::exception was thrown");
   }
 }

@@ -1,15 +1,28 @@
 #include "case/case.hpp"
 
+#include <algorithm>
+
 #include "case/case_reader.hpp"
 #include "case/checks.hpp"
 #include "case/resolved.hpp"
 #include "case/toml_reader.hpp"
+#include "mesogen/diagnostics/error.hpp"
 
 namespace mesogen {
 
 SourcePlace Case::place(std::string_view dotted_key) const {
   const SourcePlace start{file, 1, 1};
   return tree == nullptr ? start : tree->place_of_path(dotted_key);
+}
+
+void PluginChoice::read(const ParameterList& list, Problems& problems) const {
+  for (const auto& parameter : list.all()) {
+    const auto key = parameter.name.substr(0, parameter.name.find('.'));
+    if (std::find(framework_keys.begin(), framework_keys.end(), key) != framework_keys.end())
+      throw Error(ExitCode::plugin_refused, "plugin \"" + type + "\" declares the parameter \"" + parameter.name +
+                                                "\", a key that the framework reads itself: give it another name");
+  }
+  section.read(list, problems, framework_keys);
 }
 
 Case read_case(const std::string& path, const std::vector<std::string>& overrides, Problems& problems) {

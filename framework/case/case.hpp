@@ -24,8 +24,8 @@ struct PluginChoice {
   SourcePlace type_place;                   ///< where the name stands
   std::vector<std::string> framework_keys;  ///< keys of the section that the framework reads
 
-  /// Reads the plugin's own parameters.
-  void read(const ParameterList& list, Problems& problems) const { section.read(list, problems, framework_keys); }
+  /// Reads the plugin's own parameters. Throws an Error if the plugin declares a key of the framework's.
+  MESOGEN_EXPORT void read(const ParameterList& list, Problems& problems) const;
 };
 
 /// When an observer samples beside the start and the end of a run: at most one of the two is given.

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "mesogen/export.hpp"
@@ -23,6 +24,8 @@ class MESOGEN_EXPORT Problems {
  public:
   /// `key` is the full key, "physics.flow.viscosity"; empty where no key is meant.
   void add(const SourcePlace& place, const std::string& key, const std::string& text);
+  /// A text of several lines, such as a chain of passes; all but the first are indented.
+  void add_lines(const SourcePlace& place, std::string_view text);
   [[nodiscard]] bool empty() const { return lines_.empty(); }
   [[nodiscard]] std::size_t size() const { return lines_.size(); }
   /// One line each: "case.toml:12:3: physics.flow.viscosity: must be > 0 Pa s, but is -0.4".

@@ -7,6 +7,7 @@
 
 #include "case/parameter_value.hpp"
 #include "case/toml_text.hpp"
+#include "mesogen/diagnostics/error.hpp"
 
 namespace mesogen {
 
@@ -112,6 +113,18 @@ std::string Parameter::range_text() const {
 }
 
 Parameter& ParameterList::add(std::string_view name, Parameter::Target target) {
+  for (const auto& other : parameters_) {
+    // "bulk" beside "bulk.A" would be a number and a table at once.
+    const auto within = [](std::string_view inner, std::string_view outer) {
+      return inner.starts_with(outer) && (inner.size() == outer.size() || inner[outer.size()] == '.');
+    };
+    if (within(name, other.name) || within(other.name, name))
+      throw Error(ExitCode::plugin_refused, other.name == name
+                                                ? fmt::format("declares the parameter \"{}\" twice", name)
+                                                : fmt::format("declares the parameters \"{}\" and \"{}\", of which "
+                                                              "one is a table that holds the other",
+                                                              other.name, name));
+  }
   Parameter parameter;
   parameter.name = name;
   parameter.target = target;

@@ -24,4 +24,9 @@ std::string call_text(std::string_view plugin, std::string_view call) {
   return fmt::format("plugin \"{}\", {}", plugin, call);
 }
 
+std::string call_text(std::string_view instance, std::string_view plugin, std::string_view call, std::int64_t step,
+                      double time) {
+  return fmt::format("{} (plugin \"{}\"), {} at step {}, t = {:.6g} s", instance, plugin, call, step, time);
+}
+
 }  // namespace mesogen

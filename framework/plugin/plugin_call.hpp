@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -13,8 +14,12 @@ namespace mesogen {
 /// for the user; anything else gets `code`. To be called in catch (...).
 [[noreturn]] MESOGEN_EXPORT void rethrow_of_plugin(const std::string& where, ExitCode code);
 
-/// `plugin "wcsph", passes()`
+/// A call while a case is put together; the problem that comes of it names the instance: `plugin "wcsph", passes()`.
 MESOGEN_EXPORT std::string call_text(std::string_view plugin, std::string_view call);
+
+/// A call while the case runs: `physics.flow (plugin "wcsph"), pass "continuity" at step 3, t = 0.02 s`.
+MESOGEN_EXPORT std::string call_text(std::string_view instance, std::string_view plugin, std::string_view call,
+                                     std::int64_t step, double time);
 
 /// Runs one call into a plugin while a case is put together. Whatever it throws comes out as an Error that names the
 /// plugin and the call.

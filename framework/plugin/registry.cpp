@@ -13,6 +13,7 @@
 #include "case/nearest.hpp"
 #include "plugin/instruction_set.hpp"
 #include "plugin/loader.hpp"
+#include "plugin/plugin_call.hpp"
 
 namespace mesogen {
 
@@ -157,7 +158,7 @@ std::vector<std::string> PluginRegistry::paths() const {
 void* PluginRegistry::create(PluginKind kind, std::string_view name, Precision precision, int dimension) const {
   const auto* plugin = find(kind, name);
   if (plugin == nullptr) throw missing(kind, name);
-  void* object = plugin->descriptor->create(precision, dimension);
+  void* object = call_plugin(name, "constructor", [&] { return plugin->descriptor->create(precision, dimension); });
   if (object == nullptr)
     throw Error(ExitCode::bad_case,
                 fmt::format("the {} plugin \"{}\" has no form for {} dimensions in {} precision", to_string(kind), name,

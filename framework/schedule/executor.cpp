@@ -6,6 +6,7 @@
 
 #include "mesogen/diagnostics/error.hpp"
 #include "mesogen/plugin/context.hpp"
+#include "plugin/plugin_call.hpp"
 
 namespace mesogen {
 
@@ -46,7 +47,7 @@ class WorkContext final : public PassContext {
   void fill_neighbours(void* grid, std::size_t element_size, int dimension) const override {
     if (dimension != world_.scene.dimension || (element_size == sizeof(float)) != world_.single())
       throw Error(ExitCode::plugin_refused,
-                  "'" + work_.title() + "' asks for neighbours of another precision or dimension");
+                  "it asks for neighbours of another precision or dimension: take those of its class, Real and Dim");
     const Neighbourhood& all = world_.neighbourhood;
     if (dimension == 2 && world_.single()) all.fill(*static_cast<Neighbours<float, 2>*>(grid));
     if (dimension == 2 && !world_.single()) all.fill(*static_cast<Neighbours<double, 2>*>(grid));
@@ -56,17 +57,17 @@ class WorkContext final : public PassContext {
 
  private:
   [[noreturn]] void refuse(const std::string& does, std::string_view field, const std::string& declarations) const {
-    throw Error(ExitCode::plugin_refused, "pass '" + work_.title() + "' " + does + " the field '" + std::string(field) +
+    throw Error(ExitCode::plugin_refused, "it " + does + " the field '" + std::string(field) +
                                               "', which it did not declare: name it in the pass's " + declarations);
   }
   [[nodiscard]] RawField raw(std::string_view name, std::size_t element_size) const {
     Field* const field = world_.fields.find(name);
     if (field == nullptr)
-      throw Error(ExitCode::plugin_refused, "pass '" + work_.title() + "' asks for the field '" + std::string(name) +
-                                                "', which this scene has not: ask has() first");
-    if ((element_size == sizeof(float)) == field->is_double())
       throw Error(ExitCode::plugin_refused,
-                  "pass '" + work_.title() + "' asks for the field '" + std::string(name) + "' in another precision");
+                  "it asks for the field '" + std::string(name) + "', which this scene has not: ask has() first");
+    if ((element_size == sizeof(float)) == field->is_double())
+      throw Error(ExitCode::plugin_refused, "it asks for the field '" + std::string(name) +
+                                                "' in another precision: take that of its class, Real");
     if (field->is_double()) {
       const auto view = field->view<double>();
       return {view.base, view.stride};
@@ -115,7 +116,12 @@ void Executor::run(Work& work) {
     world_.refresh_outside(world_.fields.at(field));
   }
   const auto start = std::chrono::steady_clock::now();
-  work.pass.body(WorkContext(world_, work));
+  try {
+    work.pass.body(WorkContext(world_, work));
+  } catch (...) {
+    rethrow_of_plugin(call_text(work.owner, work.plugin, "pass \"" + work.pass.name + "\"", world_.step, world_.time),
+                      ExitCode::run_failed);
+  }
   for (const std::string& field : work.pass.write_list)
     if (Field* const written = world_.fields.find(field)) ++written->version;
   for (const std::string& field : work.pass.accumulate_list) ++world_.fields.at(field).version;

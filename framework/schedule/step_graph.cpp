@@ -36,6 +36,7 @@ StepGraph::StepGraph(const Catalogue& catalogue, const std::vector<Member>& memb
     for (const Pass& pass : member.passes->passes()) {
       Work work;
       work.owner = member.instance;
+      work.plugin = member.plugin;
       work.pass = pass;
       work.for_observer.assign(readers.size(), false);
       works_.push_back(std::move(work));

@@ -28,6 +28,7 @@ class MESOGEN_EXPORT StepGraph {
   struct Member {
     std::string instance;  ///< "physics.flow"
     const PassList* passes;
+    std::string plugin = {};  ///< "wcsph"
   };
 
   /// Throws an Error that names the chain: two writers, a field that nobody provides, a cycle.

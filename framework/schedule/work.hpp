@@ -10,7 +10,8 @@ namespace mesogen {
 
 /// A plugin's pass as the scheduler sees it.
 struct Work {
-  std::string owner;  ///< instance in the case: "physics.flow"
+  std::string owner;   ///< instance in the case: "physics.flow"
+  std::string plugin;  ///< its type: "wcsph"
   Pass pass;
   bool for_integration = false;    ///< needed to advance the run
   std::vector<bool> for_observer;  ///< needed by the n-th reader (observers, then output)

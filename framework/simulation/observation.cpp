@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "plugin/plugin_call.hpp"
 #include "simulation/world_view.hpp"
 
 namespace mesogen {
@@ -18,7 +19,7 @@ class DeclaredView final : public WorldView {
 
   [[nodiscard]] std::vector<double> values(std::string_view name, int component) const override {
     const auto& declared = observer_.fields;
-    const std::string reads = "observer '" + observer_.instance + "' reads the field '" + std::string(name) + "'";
+    const std::string reads = "it reads the field '" + std::string(name) + "'";
     if (std::find(declared.begin(), declared.end(), name) == declared.end())
       throw Error(ExitCode::plugin_refused, reads + ", which it did not declare: name it in plan()");
     if (following_ && !setup_.catalogue.is_state(name))
@@ -33,6 +34,16 @@ class DeclaredView final : public WorldView {
   const Setup::ObserverMember& observer_;
   bool following_;
 };
+
+template <class Action>
+void call(const World& world, const Setup::ObserverMember& member, const char* name, Action&& action) {
+  try {
+    action();
+  } catch (...) {
+    rethrow_of_plugin(call_text("observers." + member.instance, member.type, name, world.step, world.time),
+                      ExitCode::run_failed);
+  }
+}
 
 }  // namespace
 
@@ -58,7 +69,8 @@ void Observation::declare(ResultsWriter& results) const {
 void Observation::start() {
   for (const auto& member : stepper_.setup().observers) {
     stepper_.executor().prepare(member.fields);
-    member.plugin->start(DeclaredView(stepper_.world(), stepper_.setup(), member, false));
+    call(stepper_.world(), member, "start()",
+         [&] { member.plugin->start(DeclaredView(stepper_.world(), stepper_.setup(), member, false)); });
   }
 }
 
@@ -74,12 +86,13 @@ void Observation::observe(const std::vector<bool>& due, ResultsWriter& results) 
   for (std::size_t n = 0; n < members.size(); ++n) {
     const auto& member = members[n];
     if (member.plan.follows() && world.step > 0)
-      member.plugin->follow(DeclaredView(world, stepper_.setup(), member, true));
+      call(world, member, "follow()",
+           [&] { member.plugin->follow(DeclaredView(world, stepper_.setup(), member, true)); });
     if (!due[n]) continue;
     const DeclaredView view(world, stepper_.setup(), member, false);
     stepper_.executor().prepare(member.fields);
     Sample sample;
-    member.plugin->sample(view, sample);
+    call(world, member, "sample()", [&] { member.plugin->sample(view, sample); });
     results.add_sample(member.instance, sample, world.step, world.time);
   }
   if (due.back()) {
@@ -120,7 +133,8 @@ std::vector<FrameField> Observation::frame() {
 }
 
 void Observation::save(Checkpoint& checkpoint) const {
-  for (const auto& member : stepper_.setup().observers) checkpoint.observers[member.instance] = member.plugin->save();
+  for (const auto& member : stepper_.setup().observers)
+    call(stepper_.world(), member, "save()", [&] { checkpoint.observers[member.instance] = member.plugin->save(); });
 }
 
 void Observation::restore(const Checkpoint& checkpoint) {
@@ -129,7 +143,7 @@ void Observation::restore(const Checkpoint& checkpoint) {
     if (at == checkpoint.observers.end())
       throw Error(ExitCode::bad_case,
                   "the checkpoint knows no observer '" + member.instance + "': it belongs to another case");
-    member.plugin->restore(at->second);
+    call(stepper_.world(), member, "restore()", [&] { member.plugin->restore(at->second); });
   }
 }
 

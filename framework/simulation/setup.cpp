@@ -7,6 +7,7 @@
 #include "case/nearest.hpp"
 #include "case/resolved.hpp"
 #include "initial/fields.hpp"
+#include "plugin/plugin_call.hpp"
 #include "simulation/number_text.hpp"
 
 namespace mesogen {
@@ -74,9 +75,14 @@ void SetupBuilder::read(const PluginChoice& choice, const ParameterList& list) {
 void SetupBuilder::make_plugins() {
   const auto simple = [&](const PluginChoice& choice, auto& plugin) {
     if (!plugin) return;
-    ParameterList list;
-    plugin->parameters(list);
-    read(choice, list);
+    bool understood = false;
+    attempt(choice, [&] {
+      ParameterList list;
+      call_plugin(choice.type, "parameters()", [&] { plugin->parameters(list); });
+      read(choice, list);
+      understood = true;
+    });
+    if (!understood) plugin.reset();
   };
   setup_.boundary = make(source_.boundary, [&](const std::string& type) { return registry_.make_boundary(type); });
   simple(source_.boundary, setup_.boundary);
@@ -86,19 +92,23 @@ void SetupBuilder::make_plugins() {
     auto plugin =
         make(choice, [&](const std::string& type) { return registry_.make_physics(type, source_.run.precision, 2); });
     simple(choice, plugin);
-    if (plugin) setup_.physics.push_back({"physics." + choice.instance, std::move(plugin), {}});
+    if (plugin) setup_.physics.push_back({"physics." + choice.instance, std::move(plugin), {}, choice.type});
   }
   for (std::size_t n = 0; n < source_.observers.size(); ++n) {
     const PluginChoice& choice = source_.observers[n];
     auto plugin = make(choice, [&](const std::string& type) { return registry_.make_observer(type); });
     simple(choice, plugin);
-    if (plugin) setup_.observers.push_back({choice.instance, std::move(plugin), {}, source_.timings[n], {}});
+    if (plugin)
+      setup_.observers.push_back({choice.instance, std::move(plugin), {}, source_.timings[n], {}, choice.type});
   }
 }
 
 void SetupBuilder::choose_kernel() {
   if (!setup_.kernel || !(source_.particles.spacing > 0.0) || !(source_.smoothing_length_ratio > 0.0)) return;
-  setup_.smoothing.shape = setup_.kernel->shape();
+  attempt(source_.kernel, [&] {
+    setup_.smoothing.shape = call_plugin(source_.kernel.type, "shape()", [&] { return setup_.kernel->shape(); });
+  });
+  if (setup_.smoothing.shape.pieces.empty()) return;
   if (const std::string problem = setup_.smoothing.shape.problem(); !problem.empty()) {
     problems_.add(source_.kernel.type_place, source_.kernel.type_key, "this kernel cannot be used: " + problem);
     return;
@@ -130,10 +140,12 @@ void SetupBuilder::describe_scene() {
   scene.smoothing_length = setup_.smoothing.smoothing_length;
   scene.support = setup_.smoothing.radius();
   scene.particle_count = setup_.arrangement.count;
-  for (const auto& member : setup_.physics) {
-    member.plugin->scales(scene.scales);
-    member.plugin->constants(scene.constants);
-  }
+  for (std::size_t n = 0; n < setup_.physics.size(); ++n)
+    attempt(source_.physics[n], [&] {
+      const auto& member = setup_.physics[n];
+      call_plugin(member.type, "scales()", [&] { member.plugin->scales(scene.scales); });
+      call_plugin(member.type, "constants()", [&] { member.plugin->constants(scene.constants); });
+    });
   if (source_.velocity.given) {
     const auto velocity = initial_velocity(source_, setup_.arrangement);
     for (std::size_t i = 0; i < velocity[0].size(); ++i)
@@ -141,8 +153,9 @@ void SetupBuilder::describe_scene() {
   }
   for (std::size_t n = 0; n < setup_.physics.size(); ++n)
     attempt(source_.physics[n], [&] {
-      setup_.physics[n].plugin->prepare(scene);
-      setup_.physics[n].plugin->step_limits(scene, setup_.limits);
+      const auto& member = setup_.physics[n];
+      call_plugin(member.type, "prepare()", [&] { member.plugin->prepare(scene); });
+      call_plugin(member.type, "step_limits()", [&] { member.plugin->step_limits(scene, setup_.limits); });
     });
 }
 
@@ -150,7 +163,7 @@ void SetupBuilder::collect_fields() {
   for (std::size_t n = 0; n < setup_.physics.size(); ++n)
     attempt(source_.physics[n], [&] {
       auto& member = setup_.physics[n];
-      member.plugin->passes(member.passes);
+      call_plugin(member.type, "passes()", [&] { member.plugin->passes(member.passes); });
       for (const FieldDeclaration& field : member.passes.fields()) setup_.catalogue.add(field, member.instance);
     });
   const auto initial = [&](const std::string& name, Rank rank, const std::string& unit, const std::string& owner) {
@@ -191,7 +204,7 @@ void SetupBuilder::plan_observers() {
   for (std::size_t n = 0; n < setup_.observers.size(); ++n)
     attempt(source_.observers[n], [&] {
       auto& member = setup_.observers[n];
-      member.plugin->plan(setup_.scene, member.plan);
+      call_plugin(member.type, "plan()", [&] { member.plugin->plan(setup_.scene, member.plan); });
       member.fields = member.plan.read_list();
       for (const std::string& field : member.plan.optional_list())
         if (setup_.catalogue.exists(field)) member.fields.push_back(field);
@@ -211,7 +224,7 @@ void SetupBuilder::put_together() {
   plan_observers();
   if (!problems_.empty()) return;
   std::vector<StepGraph::Member> members;
-  for (const auto& member : setup_.physics) members.push_back({member.instance, &member.passes});
+  for (const auto& member : setup_.physics) members.push_back({member.instance, &member.passes, member.type});
   std::vector<Reader> readers;
   for (const auto& member : setup_.observers) readers.push_back({"observers." + member.instance, member.fields});
   readers.push_back({"output.fields", setup_.output_fields});
@@ -230,7 +243,7 @@ std::unique_ptr<Setup> set_up(Case source, const PluginRegistry& registry, Probl
     builder.put_together();
   } catch (const Error& error) {
     if (error.code() != ExitCode::bad_case) throw;
-    problems.add({setup->source.file, 0, 0}, "", error.what());
+    problems.add_lines({setup->source.file, 0, 0}, error.what());
   }
   if (problems.empty() && !setup->graph) throw std::logic_error("a case without problems could not be set up");
   if (!problems.empty())

@@ -21,6 +21,7 @@ struct MESOGEN_EXPORT Setup {
     std::string instance;  ///< "physics.flow"
     std::unique_ptr<Physics> plugin;
     PassList passes;
+    std::string type;  ///< "wcsph"
   };
   struct ObserverMember {
     std::string instance;  ///< "flow"
@@ -28,6 +29,7 @@ struct MESOGEN_EXPORT Setup {
     ObserverPlan plan;
     ObserverTiming timing;
     std::vector<std::string> fields;  ///< what it reads of what the scene has
+    std::string type;                 ///< "flow_statistics"
   };
 
   explicit Setup(Case checked) : source(std::move(checked)), catalogue(2) {}

@@ -21,6 +21,9 @@
 #ifndef VERSION
 #define VERSION "1.0.0"
 #endif
+#ifndef SUMMARY
+#define SUMMARY "Cubic spline"
+#endif
 
 namespace {
 
@@ -38,7 +41,7 @@ constexpr mesogen::PluginDescriptor descriptor{MAGIC,
                                                mesogen::PluginKind::kernel,
                                                NAME,
                                                VERSION,
-                                               "Cubic spline",
+                                               SUMMARY,
                                                &mesogen::detail::create_plain<mesogen::Kernel, Cubic>};
 
 }  // namespace

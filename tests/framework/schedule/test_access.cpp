@@ -1,8 +1,11 @@
 // A pass is given what it declared, and told what it forgot.
 
 #include <gtest/gtest.h>
+#include <omp.h>
 
 #include <functional>
+#include <new>
+#include <stdexcept>
 
 #include "graph_fixture.hpp"
 #include "mesogen/plugin/context.hpp"
@@ -14,8 +17,8 @@ namespace {
 using namespace mesogen;
 using namespace mesogen::test;
 
-/// Runs one pass that declared to read "f" and write "out", and returns what it is told.
-std::string refusal(const std::function<void(const PassContext&)>& body) {
+/// Runs one pass that declared to read "f" and write "out".
+void run_pass(const std::function<void(const PassContext&)>& body) {
   ParticleScene scene({}, lattice(20, 20, 0.05));
   scene.world().add_field("out", 1, false);
   scene.world().add_field("other", 1, false);
@@ -26,16 +29,23 @@ std::string refusal(const std::function<void(const PassContext&)>& body) {
   list.field("other", Rank::scalar);
   list.pass("work").reads({"f"}).reads_if_present({"absent"}).writes({"out"}).run(body);
   for (const FieldDeclaration& field : list.fields()) catalogue.add(field, "physics.mine");
-  StepGraph graph(catalogue, {{"physics.mine", &list}}, {});
+  StepGraph graph(catalogue, {{"physics.mine", &list, "mine"}}, {});
   DerivedFields derived(scene.world(), catalogue, {}, {});
   Executor executor(scene.world(), graph, derived);
+  executor.run(Phase::rates, {});
+}
+
+/// What it is told.
+std::string refusal(const std::function<void(const PassContext&)>& body) {
   try {
-    executor.run(Phase::rates, {});
+    run_pass(body);
   } catch (const Error& error) {
     return error.code() == ExitCode::plugin_refused ? error.what() : "another exit code";
   }
   return "no error";
 }
+
+const std::string where = "physics.mine (plugin \"mine\"), pass \"work\" at step 0, t = 0 s: ";
 
 TEST(Access, DeclaredFieldsAreGiven) {
   EXPECT_EQ(refusal([](const PassContext& context) {
@@ -51,28 +61,66 @@ TEST(Access, DeclaredFieldsAreGiven) {
 
 TEST(Access, UndeclaredReadIsRefused) {
   EXPECT_EQ(refusal([](const PassContext& context) { (void)context.read<double>("other"); }),
-            "pass 'physics.mine: work' reads the field 'other', which it did not declare: name it in the pass's reads, "
-            "reads_neighbours or reads_if_present");
+            where +
+                "it reads the field 'other', which it did not declare: name it in the pass's reads, "
+                "reads_neighbours or reads_if_present");
 }
 
 TEST(Access, UndeclaredWriteIsRefused) {
   EXPECT_EQ(refusal([](const PassContext& context) { (void)context.write<double>("f"); }),
-            "pass 'physics.mine: work' writes the field 'f', which it did not declare: name it in the pass's writes or "
-            "accumulates");
+            where +
+                "it writes the field 'f', which it did not declare: name it in the pass's writes or "
+                "accumulates");
 }
 
 TEST(Access, AbsentOptionalFieldIsRefused) {
   EXPECT_EQ(refusal([](const PassContext& context) { (void)context.read<double>("absent"); }),
-            "pass 'physics.mine: work' asks for the field 'absent', which this scene has not: ask has() first");
+            where + "it asks for the field 'absent', which this scene has not: ask has() first");
 }
 
 TEST(Access, WrongPrecisionIsRefused) {
   EXPECT_EQ(refusal([](const PassContext& context) { (void)context.read<float>("f"); }),
-            "pass 'physics.mine: work' asks for the field 'f' in another precision");
+            where + "it asks for the field 'f' in another precision: take that of its class, Real");
   EXPECT_EQ(refusal([](const PassContext& context) { (void)context.neighbours<float, 2>(); }),
-            "'physics.mine: work' asks for neighbours of another precision or dimension");
+            where + "it asks for neighbours of another precision or dimension: take those of its class, Real and Dim");
   EXPECT_EQ(refusal([](const PassContext& context) { (void)context.neighbours<double, 3>(); }),
-            "'physics.mine: work' asks for neighbours of another precision or dimension");
+            where + "it asks for neighbours of another precision or dimension: take those of its class, Real and Dim");
+}
+
+TEST(Access, WhatAPassThrowsIsToldOn) {
+  const auto told = [](const std::function<void(const PassContext&)>& body, ExitCode code) {
+    try {
+      run_pass(body);
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), code);
+      return std::string(error.what());
+    }
+    return std::string("no error");
+  };
+  const std::string failed = where.substr(0, where.size() - 2) + " failed: ";
+  EXPECT_EQ(told([](const PassContext&) { throw std::out_of_range("no such row"); }, ExitCode::run_failed),
+            failed + "no such row");
+  EXPECT_EQ(told([](const PassContext&) { throw 42; }, ExitCode::run_failed),
+            failed + "it threw something that is no std::exception");
+  EXPECT_EQ(
+      told([](const PassContext&) { throw Error(ExitCode::bad_case, "take a finer lattice"); }, ExitCode::bad_case),
+      where + "take a finer lattice");
+  EXPECT_THROW(run_pass([](const PassContext&) { throw std::bad_alloc(); }), std::bad_alloc);
+}
+
+// An exception must not leave a parallel region; for_each and pair_sum carry it out.
+TEST(Access, WhatAParticleThrowsLeavesTheParallelLoop) {
+  omp_set_num_threads(3);
+  EXPECT_THROW(exec::for_each({}, 1000,
+                              [](Index i) {
+                                if (i % 7 == 3) throw std::out_of_range("i");
+                              }),
+               std::out_of_range);
+  EXPECT_THROW(exec::for_each({}, 1000,
+                              [](Index i) {
+                                if (i == 999) throw 42;
+                              }),
+               int);
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "mesogen/exec/first_failure.hpp"
 #include "mesogen/export.hpp"
 #include "mesogen/field/view.hpp"
 
@@ -22,7 +23,7 @@ __global__ void run_for_each(Index count, Function function) {
 #endif
 
 /// function(i) for every i in [0, count), in any order. `function` is trivially copyable and writes only what belongs
-/// to i, so the result does not depend on the order.
+/// to i, so the result does not depend on the order. On the host it may throw; what the first one threw comes out.
 template <class Function>
 void for_each(const Space& space, Index count, const Function& function) {
 #ifdef __CUDACC__
@@ -35,8 +36,16 @@ void for_each(const Space& space, Index count, const Function& function) {
 #else
   (void)space;
 #endif
+  FirstFailure failure;
 #pragma omp parallel for schedule(static)
-  for (Index i = 0; i < count; ++i) function(i);
+  for (Index i = 0; i < count; ++i) {
+    try {
+      function(i);
+    } catch (...) {
+      failure.keep();
+    }
+  }
+  failure.rethrow();
 }
 
 }  // namespace mesogen::exec

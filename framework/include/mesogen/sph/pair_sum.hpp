@@ -194,12 +194,20 @@ void pair_sum_with(const exec::Space& space, const Neighbours<Real, Dim>& neighb
 #else
   (void)space;
   const int cells = neighbours.cell_count();
+  exec::FirstFailure failure;
 #pragma omp parallel
   {
     NeighbourBlocks<Real, Dim, static_cast<int>(exec::Pack<Real>::size())> seen(neighbours.radius);
 #pragma omp for schedule(static)
-    for (int cell = 0; cell < cells; ++cell) pair_sums_of_cell(neighbours, function, pass, cell, seen);
+    for (int cell = 0; cell < cells; ++cell) {
+      try {
+        pair_sums_of_cell(neighbours, function, pass, cell, seen);
+      } catch (...) {
+        failure.keep();
+      }
+    }
   }
+  failure.rethrow();
 #endif
 }
 
