@@ -59,7 +59,8 @@ TEST(PluginRegistry, FindsEveryKernelAndBoundaryOfTheBuild) {
   const auto& registry = test::built_plugins();
   const auto kernels = registry.names(PluginKind::kernel);
   EXPECT_EQ(kernels, (std::vector<std::string>{"quintic", "wendland_c2", "wendland_c4", "wendland_c6"}));
-  EXPECT_EQ(registry.names(PluginKind::boundary), (std::vector<std::string>{"periodic_ghosts", "periodic_wrap", "walls"}));
+  EXPECT_EQ(registry.names(PluginKind::boundary),
+            (std::vector<std::string>{"periodic_ghosts", "periodic_wrap", "walls"}));
   EXPECT_TRUE(registry.refused().empty()) << registry.refusals().front();
   const auto* quintic = registry.find(PluginKind::kernel, "quintic");
   ASSERT_NE(quintic, nullptr);
