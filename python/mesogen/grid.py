@@ -1,4 +1,4 @@
-"""From particles to a regular periodic grid, and back.
+"""From particles to a regular grid, and back. The grid is periodic but where walls bound the box.
 
 Gridded fields are arrays of shape (ny, nx), row = y: the order that images have. The value at [j, i] belongs to the
 centre of cell (i, j), at x = (i + 1/2) Lx / nx, y = (j + 1/2) Ly / ny.
@@ -12,28 +12,29 @@ EMPTY = 1e-9  # sums of weights below this are of cells without particles
 
 
 class Grid:
-    """A grid of nx x ny cells over a periodic box with its origin at 0.
+    """A grid of nx x ny cells over a box with its origin at 0.
 
-    box: (Lx, Ly) in m. shape: (nx, ny), at least 4 each.
+    box: (Lx, Ly) in m. shape: (nx, ny), at least 4 each. periodic: by axis; False between walls.
     """
 
-    def __init__(self, box, shape):
+    def __init__(self, box, shape, periodic=(True, True)):
         self.box = np.asarray(box, dtype=float)[:2]
         nx, ny = (int(n) for n in shape)
         if nx < 4 or ny < 4:
             raise ValueError(f"a grid needs at least 4 x 4 cells, not {nx} x {ny}")
         self.shape = (ny, nx)
+        self.periodic = tuple(bool(p) for p in periodic)
         self.cell = self.box / (nx, ny)
         self.x = (np.arange(nx) + 0.5) * self.cell[0]
         self.y = (np.arange(ny) + 0.5) * self.cell[1]
         self.extent = (0.0, self.box[0], 0.0, self.box[1])
 
     @classmethod
-    def for_particles(cls, box, count, refine=1.0):
+    def for_particles(cls, box, count, refine=1.0, periodic=(True, True)):
         """The grid whose cells are the mean particle spacing / refine wide."""
         box = np.asarray(box, dtype=float)[:2]
         spacing = np.sqrt(box.prod() / max(count, 1)) / refine
-        return cls(box, np.maximum(4, np.rint(box / spacing)).astype(int))
+        return cls(box, np.maximum(4, np.rint(box / spacing)).astype(int), periodic)
 
     def __repr__(self):
         return f"<mesogen.Grid {self.shape[1]} x {self.shape[0]} cells over {self.box[0]:g} m x {self.box[1]:g} m>"
@@ -102,17 +103,27 @@ class Deposit:
             total, count = np.zeros(field.shape), np.zeros(field.shape)
             for axis in (0, 1):
                 for step in (-1, 1):
-                    total += np.roll(np.where(known, field, 0.0), step, axis)
-                    count += np.roll(known, step, axis)
+                    total += self._beside(np.where(known, field, 0.0), step, axis)
+                    count += self._beside(known, step, axis)
             reached = ~known & (count > 0)
             field = np.where(reached, total / np.maximum(count, 1), field)
             known = known | reached
         return field
 
+    def _beside(self, field, step, axis):
+        """The field of the neighbouring cells along an axis; 0 behind a wall."""
+        moved = np.roll(field, step, axis)
+        if not self.grid.periodic[1 - axis]:
+            moved[(slice(None),) * axis + (0 if step > 0 else -1,)] = 0
+        return moved
 
-def deposit(position, values, box, shape=None):
+
+def deposit(position, values, box, shape=None, periodic=(True, True)):
     """Grid and gridded field of one particle field; see Deposit. shape (nx, ny): one cell a particle unless given."""
-    grid = Grid(box, shape) if shape is not None else Grid.for_particles(box, len(position))
+    if shape is None:
+        grid = Grid.for_particles(box, len(position), periodic=periodic)
+    else:
+        grid = Grid(box, shape, periodic)
     return grid, Deposit(grid, position)(values)
 
 
@@ -123,15 +134,21 @@ def sample(field, grid, position):
 
 
 def gradient(field, grid):
-    """(d/dx, d/dy) of a gridded periodic field, by central differences of fourth order."""
+    """(d/dx, d/dy) of a gridded field, by central differences of fourth order; of second order beside a wall."""
     field = np.asarray(field, dtype=float)
 
-    def slope(axis, width):
+    def slope(axis):
+        width = grid.cell[1 - axis]
         near = np.roll(field, -1, axis) - np.roll(field, 1, axis)
         far = np.roll(field, -2, axis) - np.roll(field, 2, axis)
-        return (8 * near - far) / (12 * width)
+        inner = (8 * near - far) / (12 * width)
+        if grid.periodic[1 - axis]:
+            return inner
+        place = np.arange(field.shape[axis])
+        beside = np.expand_dims((place < 2) | (place >= len(place) - 2), 1 - axis)
+        return np.where(beside, np.gradient(field, width, axis=axis, edge_order=2), inner)
 
-    return slope(1, grid.cell[0]), slope(0, grid.cell[1])
+    return slope(1), slope(0)
 
 
 def vorticity(u, v, grid):
@@ -165,13 +182,38 @@ def _stencil(grid, position, weights_of):
 
 
 def _stencil_weights(grid, position, weights_of):
-    across, up = (np.stack(weights_of(_along(grid, position, axis)[1][1])) for axis in (0, 1))
+    across, up = (_weights_along(grid, position, axis, weights_of) for axis in (0, 1))
     return (up[:, None] * across[None]).reshape(16, -1)
 
 
+def _weights_along(grid, position, axis, weights_of):
+    """Weights of the four cells along an axis, (4, N). Behind a wall there are none: nothing is spread to them, and what
+    is read from them is extrapolated linearly from the two before the wall."""
+    cell, offset = _cells_along(grid, position, axis)
+    weight = np.stack(weights_of(offset[1]))
+    if grid.periodic[axis]:
+        return weight
+    last = grid.shape[1 - axis] - 1
+    behind = np.maximum(-cell, 0), np.maximum(cell - last, 0)
+    kept = np.where((cell < 0) | (cell > last), 0.0, weight)
+    if weights_of is _keys:
+        for depth, (first, second) in zip(behind, ((0, 1), (last, last - 1))):
+            once, more = (weight * (depth > 0)).sum(axis=0), (weight * depth).sum(axis=0)
+            kept += np.where(cell == first, once + more, 0.0) - np.where(cell == second, more, 0.0)
+    return kept
+
+
 def _along(grid, position, axis):
-    """The four cells around each position along an axis: numbers, and offsets of the position in cells; (4, N)."""
+    """The four cells around each position along an axis: numbers, and offsets of the position in cells; (4, N).
+    A cell behind a wall goes by the number of the one before it."""
+    cell, offset = _cells_along(grid, position, axis)
+    cells = grid.shape[1 - axis]
+    return np.mod(cell, cells) if grid.periodic[axis] else np.clip(cell, 0, cells - 1), offset
+
+
+def _cells_along(grid, position, axis):
+    """The same, numbered on beyond the faces."""
     place = position[:, axis] / grid.cell[axis] - 0.5
     first = np.floor(place)
     around = np.arange(-1, 3)[:, None]
-    return np.mod(first.astype(np.int64) + around, grid.shape[1 - axis]), place - first - around
+    return first.astype(np.int64) + around, place - first - around

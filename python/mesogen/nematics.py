@@ -33,6 +33,10 @@ def find_defects(q11, q12, grid):
     corners = _corners(angle)
     turned = sum(_half_turn(corners[(k + 1) % 4] - corners[k]) for k in range(4))
     charge = 0.5 * np.rint(turned / np.pi)
+    # No square reaches through a wall.
+    for axis, periodic in enumerate(grid.periodic):
+        if not periodic:
+            charge[(slice(None),) * (1 - axis) + (-1,)] = 0
     row, column = np.nonzero(np.abs(charge) == 0.5)
     charge = charge[row, column]
 

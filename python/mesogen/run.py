@@ -104,9 +104,15 @@ class Run:
 
     @property
     def box(self):
-        """Lengths of the periodic box by axis (m), from the origin; shape (dimension,)."""
+        """Lengths of the box by axis (m), from the origin; shape (dimension,)."""
         edges = np.asarray(self._file[GROUP]["box"]["edges"], dtype=float)
         return np.diagonal(edges).copy() if edges.ndim == 2 else edges
+
+    @property
+    def periodic(self):
+        """Whether the box is periodic, by axis; False where it ends at walls."""
+        kinds = self._file[GROUP]["box"].attrs["boundary"]
+        return tuple((kind.decode() if isinstance(kind, bytes) else str(kind)) == "periodic" for kind in kinds)
 
     # ---- particles ------------------------------------------------------------------------------------------------
 

@@ -52,6 +52,7 @@ class Results:
         fluid = self.file.create_group("particles/fluid")
         box = fluid.create_group("box")
         box.attrs["dimension"] = 2
+        box.attrs["boundary"] = ["periodic", "periodic"]
         box["edges"] = BOX
         fluid["id"] = np.arange(len(lattice()))
         self.file.create_group("observables")

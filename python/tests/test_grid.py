@@ -40,6 +40,36 @@ class Layout(unittest.TestCase):
         self.assertIn("at least 4 x 4 cells, not 3 x 8", str(error.exception))
 
 
+class Walls(unittest.TestCase):
+    """Between walls nothing reaches from one side to the other: linear fields stay linear up to them."""
+
+    def test_linear_is_exact_up_to_the_walls(self):
+        position = disordered((48, 24))
+        cells, field = grid.deposit(
+            position, 1.7 + 0.2 * position[:, 0] - 0.3 * position[:, 1], synthetic.BOX, periodic=(False, False)
+        )
+        x, y = on(cells)
+        np.testing.assert_allclose(field, 1.7 + 0.2 * x - 0.3 * y, atol=1e-11)
+        slope_x, slope_y = grid.gradient(field, cells)
+        np.testing.assert_allclose(slope_x, 0.2, atol=1e-10)
+        np.testing.assert_allclose(slope_y, -0.3, atol=1e-10)
+
+    def test_one_axis_with_walls_leaves_the_other_periodic(self):
+        position = disordered((48, 24))
+        wave = np.cos(2 * np.pi * position[:, 0] / synthetic.BOX[0])
+        cells, field = grid.deposit(position, wave + position[:, 1], synthetic.BOX, periodic=(True, False))
+        x, y = on(cells)
+        np.testing.assert_allclose(field, np.cos(2 * np.pi * x / synthetic.BOX[0]) + y, atol=0.03)
+
+    def test_cells_without_particles_grow_from_their_side(self):
+        position = synthetic.lattice()
+        position = position[position[:, 1] < 0.3 * synthetic.BOX[1]]
+        value = np.where(position[:, 1] < 0.15 * synthetic.BOX[1], 1.0, 3.0)
+        cells = grid.Grid(synthetic.BOX, synthetic.CELLS, (True, False))
+        field = grid.Deposit(cells, position).average(value)
+        self.assertGreater(field[-1].min(), 2.5)
+
+
 class Spreading(unittest.TestCase):
     def test_lattice_transfer_is_known(self):
         # On a lattice, the spline's weights 1/6, 4/6, 1/6 damp cos(k x) by (2 + cos k d) / 3 along each axis.

@@ -62,18 +62,19 @@ def draw_defects(axes, scene, size):
         shapes = [
             outline(size, *row[[0, 1, 3]]) + image
             for row in defects[np.sign(defects[:, 2]) == charge]
-            for image in _images(row[:2], scene.box, 3 * size)
+            for image in _images(row[:2], scene.box, scene.grid.periodic, 3 * size)
         ]
         axes.add_collection(
             PolyCollection(shapes, facecolors=colour, edgecolors="white", linewidths=0.7, joinstyle="round", zorder=4)
         )
 
 
-def _images(place, box, margin):
-    """Shifts that also show what reaches over a face of the periodic box."""
+def _images(place, box, periodic, margin):
+    """Shifts that also show what reaches over a periodic face of the box."""
     shifts = []
-    for x, length in zip(place, box):
-        shifts.append([0.0] + [length] * bool(x < margin) + [-length] * bool(x > length - margin))
+    for x, length, goes_on in zip(place, box, periodic):
+        near = [length] * bool(x < margin) + [-length] * bool(x > length - margin)
+        shifts.append([0.0] + near * goes_on)
     return [np.array([dx, dy]) for dx in shifts[0] for dy in shifts[1]]
 
 

@@ -43,7 +43,7 @@ class Scene:
 
     @cached_property
     def grid(self):
-        return Grid.for_particles(self.box, self.run.count)
+        return Grid.for_particles(self.box, self.run.count, periodic=self.run.periodic)
 
     @cached_property
     def deposit(self):
@@ -68,7 +68,7 @@ class Scene:
     @cached_property
     def colour(self):
         """Grid, finer than the particles, and the colour averaged to it."""
-        grid = Grid.for_particles(self.box, self.run.count, refine=1.5)
+        grid = Grid.for_particles(self.box, self.run.count, refine=1.5, periodic=self.run.periodic)
         return grid, Deposit(grid, self.position).average(self.run.field("colour", self.frame))
 
     @cached_property

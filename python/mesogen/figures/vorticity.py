@@ -32,9 +32,12 @@ def _draw_streamlines(axes, scene, density):
     speed = np.hypot(u, v)
     if not speed.max() > 0:
         return
-    # One cell more on each side, so that lines run up to the faces of the periodic box.
+    # One cell more on each side, so that lines run up to the faces of the box.
     x, y = (np.concatenate([[c[0] - d], c, [c[-1] + d]]) for c, d in zip((grid.x, grid.y), grid.cell))
-    u, v, speed = (np.pad(field, 1, mode="wrap") for field in (u, v, speed))
+    for axis in (0, 1):
+        sides = [(1, 1) if a == 1 - axis else (0, 0) for a in (0, 1)]
+        beyond = "wrap" if grid.periodic[axis] else "edge"
+        u, v, speed = (np.pad(field, sides, mode=beyond) for field in (u, v, speed))
     share = np.array(scene.box) / max(scene.box)
     axes.streamplot(
         x, y, u, v, density=density * share, color=(0.1, 0.12, 0.15, 0.8),
@@ -46,7 +49,8 @@ def _coarse(scene):
     """The velocity on at most STREAM_CELLS cells along the longer side."""
     if max(scene.grid.shape) <= STREAM_CELLS:
         return scene.grid, scene.velocity
-    grid = Grid(scene.box, np.maximum(4, np.rint(STREAM_CELLS * scene.box / max(scene.box))))
+    cells = np.maximum(4, np.rint(STREAM_CELLS * scene.box / max(scene.box)))
+    grid = Grid(scene.box, cells, scene.grid.periodic)
     place = np.stack(np.meshgrid(grid.x, grid.y), axis=-1).reshape(-1, 2)
     return grid, [sample(component, scene.grid, place).reshape(grid.shape) for component in scene.velocity]
 
