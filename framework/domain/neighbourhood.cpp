@@ -7,6 +7,7 @@
 #include <string>
 
 #include "mesogen/diagnostics/error.hpp"
+#include "mesogen/exec/first_failure.hpp"
 
 namespace mesogen {
 
@@ -53,24 +54,34 @@ void Neighbourhood::restore(const Particles& particles, std::array<std::vector<d
   (void)place(particles);
 }
 
+void Neighbourhood::keep_inside(Particles& particles, Index i) const {
+  std::array<double, 3> at{};
+  std::array<std::int32_t, 3> images{};
+  for (int d = 0; d < scene_.dimension; ++d) {
+    at[d] = particles.position[d][i];
+    images[d] = particles.images[d][i];
+  }
+  boundary_.keep_inside(scene_, at.data(), images.data());
+  for (int d = 0; d < scene_.dimension; ++d) {
+    particles.position[d][i] = at[d];
+    particles.images[d][i] = images[d];
+  }
+}
+
 // Storage goes by cell, and by id within a cell: the order of sums depends on positions alone.
 void Neighbourhood::sort_particles(Particles& particles) {
   const Index count = particles.count();
   const int dimension = scene_.dimension;
+  exec::FirstFailure failure;
 #pragma omp parallel for schedule(static)
   for (Index i = 0; i < count; ++i) {
-    std::array<double, 3> at{};
-    std::array<std::int32_t, 3> images{};
-    for (int d = 0; d < dimension; ++d) {
-      at[d] = particles.position[d][i];
-      images[d] = particles.images[d][i];
-    }
-    boundary_.keep_inside(scene_, at.data(), images.data());
-    for (int d = 0; d < dimension; ++d) {
-      particles.position[d][i] = at[d];
-      particles.images[d][i] = images[d];
+    try {
+      keep_inside(particles, i);
+    } catch (...) {
+      failure.keep();
     }
   }
+  failure.rethrow();
   for (int d = 0; d < dimension; ++d) sorted_position_[d] = particles.position[d];
   find_cells();
   const int cells = grid_.inside_count();
@@ -114,6 +125,10 @@ void Neighbourhood::make_outside() {
   const double* position[3] = {sorted_position_[0].data(), sorted_position_[1].data(), sorted_position_[2].data()};
   Copies made;
   boundary_.copies(scene_, position, count, scene_.support + skin_, made);
+  if (!made.source.empty() && !dummies_.position.empty())
+    throw Error(
+        ExitCode::plugin_refused,
+        "the boundary gives copies and dummies: it can have one or the other; an axis that wraps needs neither");
   std::vector<CellGrid::Cell> cell;
   for (std::size_t n = 0; n < made.source.size(); ++n)
     cell.push_back(grid_.of_copy(sorted_at(made.source[n]), made.offset[n]));

@@ -48,6 +48,7 @@ class MESOGEN_EXPORT Neighbourhood {
   void fill(Neighbours<Real, Dim>& grid) const;
 
  private:
+  void keep_inside(Particles& particles, Index i) const;
   void sort_particles(Particles& particles);
   void find_cells();
   void make_outside();

@@ -13,6 +13,7 @@
 #include "case/nearest.hpp"
 #include "plugin/instruction_set.hpp"
 #include "plugin/loader.hpp"
+#include "plugin/named_boundary.hpp"
 #include "plugin/plugin_call.hpp"
 
 namespace mesogen {
@@ -172,8 +173,9 @@ std::unique_ptr<Kernel> PluginRegistry::make_kernel(std::string_view name) const
 }
 
 std::unique_ptr<Boundary> PluginRegistry::make_boundary(std::string_view name) const {
-  return std::unique_ptr<Boundary>(
-      static_cast<Boundary*>(create(PluginKind::boundary, name, Precision::double_precision, 2)));
+  return std::make_unique<NamedBoundary>(std::string(name),
+                                         std::unique_ptr<Boundary>(static_cast<Boundary*>(
+                                             create(PluginKind::boundary, name, Precision::double_precision, 2))));
 }
 
 std::unique_ptr<Observer> PluginRegistry::make_observer(std::string_view name) const {

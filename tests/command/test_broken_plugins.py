@@ -107,6 +107,24 @@ class Misbehaving(CommandTest):
                 out, _ = self.mesogen("plugin", "list", "--plugin-path", folder)
                 self.assertRegex(out, rf"(?m)^  {name} ")
 
+    def test_boundaries(self):
+        expected = {
+            "keep_inside": (1, 'plugin "keep_inside", keep_inside() failed: nobody expects this'),
+            "copies": (1, 'plugin "copies", copies() failed: it threw something that is no std::exception'),
+            "extend": (1, 'plugin "extend", extend() failed: no such field'),
+            "dummy_inside": (3, "the boundary puts a dummy at (0.250000, 0.200000), inside the box: dummies belong beyond "
+                                "a face that does not wrap"),
+            "no_mirror": (3, "the boundary gives 1 dummies, but 0 mirror points: each dummy needs one"),
+            "both": (3, "the boundary gives copies and dummies: it can have one or the other; an axis that wraps needs "
+                        "neither"),
+        }
+        for name, (code, text) in expected.items():
+            with self.subTest(name):
+                case = self.write_case(CASE.replace("periodic_ghosts", name))
+                _, err = self.mesogen("run", case, "--output", name, "--plugin-path",
+                                      os.path.join(BROKEN_PLUGINS, "boundaries"), code=code)
+                self.assertIn(f"error: {text}\n", err)
+
     def test_key_of_the_framework(self):
         case = self.write_case(CASE.replace("[output]", '[observers.bad]\ntype = "reserved_key"\nmisdeed = ""\n[output]'))
         folder = os.path.join(BROKEN_PLUGINS, "reserved_key")

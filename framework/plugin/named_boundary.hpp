@@ -1,0 +1,33 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "mesogen/plugin/boundary.hpp"
+
+namespace mesogen {
+
+/// A boundary plugin that says its name: whatever one of its functions throws comes out as an Error that names the
+/// plugin and the function. `run_failed` where it is called while a case runs, `plugin_refused` before.
+class NamedBoundary final : public Boundary {
+ public:
+  NamedBoundary(std::string name, std::unique_ptr<Boundary> plugin)
+      : name_(std::move(name)), plugin_(std::move(plugin)) {}
+
+  void parameters(ParameterList& list) override;
+  [[nodiscard]] bool periodic(int axis) const override;
+  [[nodiscard]] bool wraps(int axis) const override;
+  void keep_inside(const Scene& scene, double* position, std::int32_t* images) const override;
+  void copies(const Scene& scene, const double* const* position, Index count, double reach, Copies& out) const override;
+  void refresh(const Copies& copies, FieldView<float> field, int components, Index count) const override;
+  void refresh(const Copies& copies, FieldView<double> field, int components, Index count) const override;
+  void dummies(const Scene& scene, double reach, Dummies& out) const override;
+  void extend(const Scene& scene, std::string_view field, int components, const Dummies& dummies,
+              std::vector<Extension>& extension) const override;
+
+ private:
+  std::string name_;
+  std::unique_ptr<Boundary> plugin_;
+};
+
+}  // namespace mesogen
