@@ -19,6 +19,7 @@ struct Checkpoint {
   double step_size = 0.0;  ///< s
   std::string case_text;
   std::string version;
+  std::string instruction_sets;  ///< of the code that the run computed with
   Precision precision = Precision::single_precision;
   int dimension = 2;
   std::map<std::string, std::vector<double>> numbers;

@@ -93,6 +93,7 @@ std::vector<std::byte> encode_checkpoint(const Checkpoint& checkpoint, std::int6
                           static_cast<std::int64_t>(checkpoint.precision == Precision::single_precision));
     hdf5::write_text(file, "case", checkpoint.case_text);
     hdf5::write_text(file, "version", checkpoint.version);
+    hdf5::write_text(file, "instruction_sets", checkpoint.instruction_sets);
     write_arrays(file, "numbers", checkpoint.numbers);
     write_arrays(file, "integers", checkpoint.integers);
     const hdf5::Id observers = hdf5::create_group(file, "observers");
@@ -129,6 +130,7 @@ Checkpoint decode_content(const SealedCheckpoint& sealed) {
                                : Precision::double_precision;
     checkpoint.case_text = hdf5::read_text(file, "case");
     checkpoint.version = hdf5::read_text(file, "version");
+    checkpoint.instruction_sets = hdf5::read_text(file, "instruction_sets");
     checkpoint.numbers = read_arrays<double>(file, "numbers");
     checkpoint.integers = read_arrays<std::int64_t>(file, "integers");
     const hdf5::Id observers = hdf5::open_group(file, "observers");

@@ -7,8 +7,8 @@
 #include <fmt/format.h>
 
 #include "output/run_folder.hpp"
-#include "simulation/number_text.hpp"
 #include "simulation/observation.hpp"
+#include "simulation/rounded_text.hpp"
 #include "simulation/stepper.hpp"
 
 namespace mesogen {
@@ -47,7 +47,7 @@ class Run {
     observation_.start();
     observation_.observe(std::vector<bool>(setup_.observers.size() + 1, true), results);
     log_.info(fmt::format("{} particles, {} threads, {}, first step {} s (limit: {})", setup_.scene.particle_count,
-                          omp_get_max_threads(), precision(), number_text(stepper_.next_step(end()).seconds),
+                          omp_get_max_threads(), precision(), rounded_text(stepper_.next_step(end()).seconds),
                           stepper_.next_step(end()).limit));
     if (const std::string fitted = fitted_spacing_text(setup_.source); !fitted.empty())
       log_.info("particles.spacing is " + number_text(setup_.scene.spacing) + " m: " + fitted);
@@ -79,6 +79,7 @@ class Run {
     Checkpoint checkpoint;
     checkpoint.case_text = setup_.resolved_text;
     checkpoint.version = MESOGEN_VERSION;
+    checkpoint.instruction_sets = setup_.instruction_sets;
     stepper_.save(checkpoint);
     observation_.save(checkpoint);
     mesogen::write_checkpoint(options_.folder, checkpoint);
@@ -115,7 +116,7 @@ class Run {
     progress_.finish(world.time, world.step);
     write_checkpoint(results);
     if (world.time < end()) {
-      log_.warn(fmt::format("interrupted at t = {} s; `mesogen resume {}` continues", number_text(world.time),
+      log_.warn(fmt::format("interrupted at t = {} s; `mesogen resume {}` continues", rounded_text(world.time),
                             options_.folder.string()));
       return ExitCode::interrupted;
     }
@@ -187,7 +188,12 @@ ExitCode resume_run(const PluginRegistry& registry, const RunOptions& options, L
     log.info("this run is complete: there is nothing left to compute");
   } else {
     log.info(
-        fmt::format("resuming from {} at t = {} s, step {}", which, number_text(checkpoint.time), checkpoint.step));
+        fmt::format("resuming from {} at t = {} s, step {}", which, rounded_text(checkpoint.time), checkpoint.step));
+    if (checkpoint.instruction_sets != setup->instruction_sets)
+      log.warn(
+          fmt::format("the run goes on, but not to the same bits: {} was written by code for other instruction sets "
+                      "({}) than this processor or MESOGEN_SIMD chooses ({})",
+                      which, checkpoint.instruction_sets, setup->instruction_sets));
   }
   return Run(*setup, options, log, progress).resume(checkpoint);
 }

@@ -8,7 +8,8 @@
 #include "case/resolved.hpp"
 #include "initial/fields.hpp"
 #include "plugin/plugin_call.hpp"
-#include "simulation/number_text.hpp"
+#include "simulation/rounded_text.hpp"
+#include "sph/standard_passes.hpp"
 
 namespace mesogen {
 
@@ -94,6 +95,10 @@ void SetupBuilder::make_plugins() {
     simple(choice, plugin);
     if (plugin) setup_.physics.push_back({"physics." + choice.instance, std::move(plugin), {}, choice.type});
   }
+  setup_.instruction_sets = "derivatives " + sph::instruction_set();
+  for (const PluginChoice& choice : source_.physics)
+    if (const LoadedPlugin* const plugin = registry_.find(PluginKind::physics, choice.type))
+      setup_.instruction_sets += ", " + choice.type + " " + plugin->instruction_set;
   for (std::size_t n = 0; n < source_.observers.size(); ++n) {
     const PluginChoice& choice = source_.observers[n];
     auto plugin = make(choice, [&](const std::string& type) { return registry_.make_observer(type); });
@@ -122,9 +127,9 @@ void SetupBuilder::choose_kernel() {
   if (support > shortest / 2.0) {
     const double most = shortest / 2.0 / setup_.smoothing.shape.support() / source_.particles.spacing;
     problems_.add(source_.place("kernel.smoothing_length"), "kernel.smoothing_length",
-                  "the kernel's support of " + number_text(support) + " m is larger than half the box (" +
-                      number_text(shortest / 2.0) + " m), so a particle would meet its own image; at most " +
-                      number_text(std::floor(most * 100.0) / 100.0) +
+                  "the kernel's support of " + rounded_text(support) + " m is larger than half the box (" +
+                      rounded_text(shortest / 2.0) + " m), so a particle would meet its own image; at most " +
+                      rounded_text(std::floor(most * 100.0) / 100.0) +
                       " particle spacings here, or take a smaller particles.spacing");
   }
 }

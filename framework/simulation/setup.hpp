@@ -47,6 +47,8 @@ struct MESOGEN_EXPORT Setup {
   std::unique_ptr<StepGraph> graph;        ///< readers: the observers in order, then the output
   StepLimits limits;
   std::string resolved_text;
+  /// Whose code computes, and for which instruction set each was built: bits depend on these.
+  std::string instruction_sets;
 };
 
 /// Makes the plugins of a case, reads their parameters and orders the step. Throws an Error with all problems of the

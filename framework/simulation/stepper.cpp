@@ -2,12 +2,10 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <numeric>
 #include <set>
 
 #include "initial/fields.hpp"
-#include "simulation/number_text.hpp"
 
 namespace mesogen {
 
@@ -25,13 +23,6 @@ Particles initial_particles(const Arrangement& arrangement, int dimension) {
   return particles;
 }
 
-// How far a particle may go in one step, in spacings, before the run has plainly run away.
-constexpr double farthest = 0.5;
-
-// The automatic step follows a flow that runs away and would never let it arrive: it is given up when motion asks for
-// steps this much shorter than the plugins' limits.
-constexpr double shortest = 1e-3;
-
 }  // namespace
 
 Stepper::Stepper(Setup& setup)
@@ -48,7 +39,8 @@ Stepper::Stepper(Setup& setup)
                                                 }()))),
       executor_(world_, *setup.graph, *derived_),
       integrator_(world_, setup.catalogue, setup.graph->velocity(), setup.graph->shift()),
-      control_(setup.scene, setup.limits, setup.source.time.step, setup.source.time.factor) {
+      control_(setup.scene, setup.limits, setup.source.time.step, setup.source.time.factor),
+      guard_(world_, setup.catalogue, *setup.graph, integrator_, control_) {
   set_initial_fields();
 }
 
@@ -130,41 +122,8 @@ void Stepper::advance(double step_size, const std::vector<bool>& reader_due, std
   timed([&] { motion_ = integrator_.correct(step_size); });
   world_.time = arrival.value_or(begun + step_size);
   ++world_.step;
-  check(motion_, step_size);
+  guard_.check(motion_);
   executor_.run(Phase::end, reader_due);
-}
-
-void Stepper::check(const Motion& motion, double step_size) {
-  const std::string when = " at t = " + number_text(world_.time) + " s (step " + std::to_string(world_.step) +
-                           ", step size " + number_text(step_size) + " s)";
-  if (!motion.finite) {
-    const auto bad = integrator_.find_bad();
-    std::string text = "the run broke down: '" + bad.field + "' is not finite";
-    if (bad.particle >= 0) {
-      text += " at particle " + std::to_string(world_.particles.id[bad.particle]) + " (";
-      for (int d = 0; d < world_.scene.dimension; ++d)
-        text += (d > 0 ? ", " : "") + number_text(world_.particles.position[d][bad.particle]);
-      text += ")";
-    }
-    throw Error(ExitCode::run_failed,
-                text + when +
-                    ". Take a smaller step (time.factor = 0.5, or time.step), more particles, or a "
-                    "smaller activity; the frames before are kept");
-  }
-  if (motion.fastest * step_size > farthest * world_.scene.spacing)
-    throw Error(ExitCode::run_failed,
-                "the run ran away: the largest speed of " + number_text(motion.fastest) +
-                    " m/s carries a particle over " + number_text(farthest) + " spacings in one step" + when +
-                    ". Take a smaller time.step, or leave it to \"auto\"; the frames before are kept");
-  if (control_.fixed() || !std::isfinite(control_.at_rest())) return;
-  const auto [next, limit] = control_.choose(motion.fastest, motion.largest_acceleration);
-  if (next < shortest * control_.at_rest())
-    throw Error(ExitCode::run_failed,
-                "the run ran away: the largest speed of " + number_text(motion.fastest) + " m/s and acceleration of " +
-                    number_text(motion.largest_acceleration) + " m/s2 ask for steps of " + number_text(next) + " s (" +
-                    limit + "), where the fluid at rest allows " + number_text(control_.at_rest()) + " s" + when +
-                    ". Take a smaller step (time.factor = 0.5), more particles, or a smaller "
-                    "activity; the frames before are kept");
 }
 
 std::vector<std::string> Stepper::kept_fields() const {

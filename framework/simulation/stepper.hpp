@@ -10,6 +10,7 @@
 #include "schedule/derived_fields.hpp"
 #include "schedule/executor.hpp"
 #include "schedule/world.hpp"
+#include "simulation/guard.hpp"
 #include "simulation/setup.hpp"
 #include "time/integrator.hpp"
 #include "time/step_control.hpp"
@@ -49,7 +50,6 @@ class MESOGEN_EXPORT Stepper {
  private:
   void add_fields();
   void set_initial_fields();
-  void check(const Motion& motion, double step_size);
   [[nodiscard]] std::vector<std::string> kept_fields() const;
 
   Setup& setup_;
@@ -58,6 +58,7 @@ class MESOGEN_EXPORT Stepper {
   Executor executor_;
   Integrator integrator_;
   StepControl control_;
+  Guard guard_;
   Motion motion_;
   double integration_seconds_ = 0.0;
 };

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+
 #include "mesogen/domain/neighbours.hpp"
 #include "mesogen/exec/for_each.hpp"
 #include "mesogen/field/view.hpp"
@@ -8,6 +10,9 @@
 /// The pair sums that several plugins need, offered by the framework. They live in a library of their own, built for
 /// each instruction set.
 namespace mesogen::sph {
+
+/// What this build of the library is for: "baseline", "x86-64-v3" or "x86-64-v4".
+MESOGEN_EXPORT std::string instruction_set();
 
 /// V_i = 1 / sum_j W_ij, self included (m^Dim).
 template <class Real, int Dim>

@@ -37,6 +37,9 @@ class MESOGEN_EXPORT Integrator {
   /// Largest speed now; 0 if nothing moves.
   [[nodiscard]] double fastest() const;
   [[nodiscard]] bool moves() const { return velocity_ != nullptr; }
+  /// What particles move with, and its rate; null if nothing moves.
+  [[nodiscard]] const Field* velocity() const { return velocity_; }
+  [[nodiscard]] const Field* acceleration() const { return acceleration_; }
 
   /// An advanced field and particle that is not finite, for the error; empty if all are.
   struct Bad {

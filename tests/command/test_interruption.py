@@ -61,6 +61,26 @@ class Interruption(CommandTest):
         self.mesogen("resume", "out", "--quiet")
         self.expect_same_as_unbroken(case)
 
+    def test_other_instruction_sets_are_told(self):
+        info, _ = self.mesogen("plugin", "info", "wcsph")
+        if "(baseline)" in info:
+            self.skipTest("this processor or build has the baseline alone")
+        built_for = info.split("wcsph.so (")[1].split(")")[0]
+        process = self.start("run", self.write_case(LONGER), "--output", "out")
+        process.send_signal(signal.SIGINT)
+        process.communicate(timeout=60)
+        _, err = self.mesogen("resume", "out", MESOGEN_SIMD="baseline")
+        self.assertRegex(err, r"warning: the run goes on, but not to the same bits: checkpoint_[ab]\.h5 was written by code "
+                              rf"for other instruction sets \(derivatives {built_for}, wcsph {built_for}, .*\) than this "
+                              rf"processor or MESOGEN_SIMD chooses \(derivatives {built_for}, wcsph baseline, .*\)")
+
+    def test_resume_on_the_same_processor_warns_of_nothing(self):
+        process = self.start("run", self.write_case(LONGER), "--output", "out")
+        process.send_signal(signal.SIGINT)
+        process.communicate(timeout=60)
+        _, err = self.mesogen("resume", "out")
+        self.assertNotIn("warning", err)
+
     def test_folder_in_use_is_refused(self):
         process = self.start("run", self.write_case(LONGER), "--output", "out")
         _, err = self.mesogen("resume", "out", code=2)

@@ -128,7 +128,15 @@ class Wcsph final : public Physics {
   static void fields(PassList& list) {
     list.field("velocity", Rank::vector).unit("m/s").doc("u").predicted_by("acceleration");
     list.field("acceleration", Rank::vector).unit("m/s2").doc("Du/Dt; others may add to it");
-    list.field("compression", Rank::scalar).doc("rho / rho0 - 1").advanced_by("compression_rate");
+    // Far beyond what even a badly chosen sound speed gives: the fluid is no longer weakly compressible.
+    list.field("compression", Rank::scalar)
+        .doc("rho / rho0 - 1; a run in which it leaves -0.3 to 0.3 is stopped")
+        .advanced_by("compression_rate")
+        .stays_within(
+            -0.3, 0.3,
+            "The sound is too slow for this flow, or particles have clumped: raise sound_speed (or expected_speed, "
+            "where "
+            "that is \"auto\"), lower density_variation, leave shift at 1, or take a smaller step (time.factor = 0.5)");
     list.field("compression_rate", Rank::scalar).unit("1/s").doc("D(rho / rho0)/Dt");
     list.field("compression_midpoint", Rank::scalar).doc("rho / rho0 - 1 at the midpoint of the step");
     list.field("compression_filtered", Rank::scalar).doc("the same after the density filter");

@@ -18,6 +18,7 @@ Checkpoint checkpoint_at(std::int64_t step) {
   checkpoint.step_size = 0.1;
   checkpoint.case_text = "title = \"Grüße\"\n";
   checkpoint.version = "0.1.0";
+  checkpoint.instruction_sets = "derivatives x86-64-v3, wcsph baseline";
   checkpoint.precision = Precision::double_precision;
   checkpoint.numbers["position.0"].resize(1500);
   for (std::size_t i = 0; i < 1500; ++i) checkpoint.numbers["position.0"][i] = value_at(step, i);

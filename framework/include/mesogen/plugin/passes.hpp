@@ -3,6 +3,7 @@
 #include <deque>
 #include <functional>
 #include <initializer_list>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -28,6 +29,13 @@ enum class Advance {
   predicted,  ///< first by dt/2 with the previous rate, then by dt/2 with the rate at the midpoint (velocity)
 };
 
+/// Between which values a field of a sound run stays, and what to do where it does not.
+struct FieldBounds {
+  double lowest;
+  double highest;
+  std::string remedy;  ///< a sentence without its stop: "Raise sound_speed"
+};
+
 /// A field that a plugin introduces.
 struct MESOGEN_EXPORT FieldDeclaration {
   std::string name;
@@ -36,12 +44,20 @@ struct MESOGEN_EXPORT FieldDeclaration {
   std::string doc_text;
   Advance advance = Advance::never;
   std::string rate;  ///< field that holds its rate of change
+  std::optional<FieldBounds> bounds;
 
   FieldDeclaration& unit(std::string_view text);
   FieldDeclaration& doc(std::string_view text);
   /// The framework advances this field with `rate_field`, keeps it in double and in checkpoints.
   FieldDeclaration& advanced_by(std::string_view rate_field);
   FieldDeclaration& predicted_by(std::string_view rate_field);
+  /// The run ends, with the particle and the remedy, at the step after which a value is outside; of a field with
+  /// several components it is the length. For bounds beyond which a run is broken without doubt: a sound one never
+  /// meets them.
+  FieldDeclaration& stays_within(double lowest, double highest, std::string_view remedy) {
+    bounds = FieldBounds{lowest, highest, std::string(remedy)};
+    return *this;
+  }
 };
 
 /// One piece of work with the fields that it touches. The scheduler orders passes by these, runs them only if somebody

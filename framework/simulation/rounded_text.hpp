@@ -7,6 +7,6 @@
 namespace mesogen {
 
 /// A number for a message: six digits.
-inline std::string number_text(double value) { return fmt::format("{:.6g}", value); }
+inline std::string rounded_text(double value) { return fmt::format("{:.6g}", value); }
 
 }  // namespace mesogen

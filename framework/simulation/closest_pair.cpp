@@ -1,0 +1,81 @@
+#include "simulation/closest_pair.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mesogen {
+
+namespace {
+
+// Until it is sorted anew a particle may stand this far outside its cell, in spacings (see Neighbourhood).
+constexpr double astray = 0.1;
+
+/// Calls visit(j, squared distance) for every j < `stored` in the cells around particle i of a cell.
+template <class Real, class Visit>
+void visit_around(const Neighbours<Real, 2>& grid, const Segment<Real, 2>* segments, int count, Index i, Index stored,
+                  const Visit& visit) {
+  for (int s = 0; s < count; ++s) {
+    const Real x = grid.local[0][i] - segments[s].offset[0];
+    const Real y = grid.local[1][i] - segments[s].offset[1];
+    for (Index j = segments[s].begin; j < segments[s].end && j < stored; ++j) {
+      const Real dx = x - grid.local[0][j];
+      const Real dy = y - grid.local[1][j];
+      if (j != i) visit(j, dx * dx + dy * dy);
+    }
+  }
+}
+
+template <class Real>
+std::optional<ClosestPair> closest_pair_of(const World& world, double within) {
+  Neighbours<Real, 2> grid{};
+  world.neighbourhood.fill(grid);
+  // The grid is made for the support; only the next cells matter here.
+  for (int d = 0; d < 2; ++d)
+    grid.reach[d] = std::min(
+        grid.reach[d], static_cast<int>(std::ceil((within + 2.0 * astray * world.scene.spacing) / grid.width[d])));
+  const auto in_cell = [&grid](int cell, const auto& action) {
+    int at[2];
+    grid.cell_coordinates(cell, at);
+    const int index = grid.cell_index(at);
+    if (grid.cell_begin[index] == grid.cell_end[index]) return;
+    Segment<Real, 2> segments[Neighbours<Real, 2>::most_segments];
+    const int count = grid.segments(at, segments);
+    for (Index i = grid.cell_begin[index]; i < grid.cell_end[index]; ++i) action(i, segments, count);
+  };
+  // Particles and their copies; a wall is for nobody to pair with.
+  const auto& source = world.neighbourhood.copies().source;
+  const Index particles = world.particles.count();
+  const Index stored = particles + static_cast<Index>(source.size());
+  const int cells = grid.cell_count();
+  Real closest = Real(within * within);
+  const Real limit = closest;
+#pragma omp parallel for schedule(static) reduction(min : closest)
+  for (int cell = 0; cell < cells; ++cell)
+    in_cell(cell, [&](Index i, const Segment<Real, 2>* segments, int count) {
+      visit_around(grid, segments, count, i, stored, [&](Index, Real square) { closest = std::min(closest, square); });
+    });
+  if (!(closest < limit)) return std::nullopt;
+
+  // Now which they are: only once in the life of a run.
+  ClosestPair pair{-1, -1, within};
+  Real least = limit;
+  for (int cell = 0; cell < cells; ++cell)
+    in_cell(cell, [&](Index i, const Segment<Real, 2>* segments, int count) {
+      visit_around(grid, segments, count, i, stored, [&](Index j, Real square) {
+        if (!(square < least)) return;
+        least = square;
+        pair = {i, j < particles ? j : source[j - particles], std::sqrt(static_cast<double>(square))};
+      });
+    });
+  // The compiler may round the two loops differently.
+  if (pair.a < 0) return std::nullopt;
+  return pair;
+}
+
+}  // namespace
+
+std::optional<ClosestPair> closest_pair(const World& world, double within) {
+  return world.single() ? closest_pair_of<float>(world, within) : closest_pair_of<double>(world, within);
+}
+
+}  // namespace mesogen

@@ -1,0 +1,211 @@
+#include "simulation/guard.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "mesogen/diagnostics/error.hpp"
+#include "simulation/closest_pair.hpp"
+#include "simulation/rounded_text.hpp"
+
+namespace mesogen {
+
+namespace {
+
+// How far a particle may go in one step, in spacings, before the run has plainly run away.
+constexpr double farthest = 0.5;
+
+// The automatic step follows a flow that runs away and would never let it arrive: it is given up when motion asks for
+// steps this much shorter than the plugins' limits.
+constexpr double shortest = 1e-3;
+
+// Volumes over that of the lattice. A particle of twice the volume has lost half of its neighbours to a void, one of
+// half the volume carries two particles' weight: sums over neighbours mean nothing there.
+constexpr double smallest_volume = 0.5;
+constexpr double largest_volume = 2.0;
+
+// Two particles nearer than this, in spacings, see the same neighbours and stay together for good: one of them is lost.
+// A pair hardly shows in the volumes, so pairs are looked for by themselves; that costs about as much as a tenth of a
+// step, so it is done now and then.
+constexpr double nearest = 0.1;
+constexpr std::int64_t steps_between_looks = 128;
+
+constexpr const char* smaller_step =
+    "Take a smaller step (time.factor = 0.5, or time.step), more particles, or a smaller activity";
+
+double length_of(const Field& field, Index i) {
+  if (field.components() == 1) return field.value(0, i);
+  double square = 0.0;
+  for (int c = 0; c < field.components(); ++c) square += field.value(c, i) * field.value(c, i);
+  return std::sqrt(square);
+}
+
+/// The particle that is farthest outside; what is not a number is farther than anything.
+Index farthest_outside(const Field& field, Index count, double lowest, double highest) {
+  Index worst = 0;
+  double most = -HUGE_VAL;
+  for (Index i = 0; i < count; ++i) {
+    const double value = length_of(field, i);
+    const double excess = std::isnan(value) ? HUGE_VAL : std::max(lowest - value, value - highest);
+    if (excess > most) {
+      most = excess;
+      worst = i;
+    }
+  }
+  return worst;
+}
+
+// Looks at the numbers that passes see: half as many bytes as the doubles of an advanced field.
+template <class Real>
+bool is_outside(Field& field, Index count, double lowest, double highest) {
+  const FieldView<Real> view = field.view<Real>();
+  const Real low(lowest);
+  const Real high(highest);
+  int outside = 0;
+  if (field.components() == 1) {
+    const Real* const values = view.component(0);
+    // Written so that NaN is outside.
+#pragma omp parallel for simd schedule(static) reduction(| : outside)
+    for (Index i = 0; i < count; ++i)
+      outside |= static_cast<int>(!(values[i] >= low)) | static_cast<int>(!(values[i] <= high));
+    return outside != 0;
+  }
+  const int components = field.components();
+#pragma omp parallel for schedule(static) reduction(| : outside)
+  for (Index i = 0; i < count; ++i) {
+    Real square(0);
+    for (int c = 0; c < components; ++c) square += view(c, i) * view(c, i);
+    outside |= static_cast<int>(!(square <= high * high)) | static_cast<int>(low > Real(0) && !(square >= low * low));
+  }
+  return outside != 0;
+}
+
+bool is_outside(const World& world, Field& field, double lowest, double highest) {
+  return world.single() ? is_outside<float>(field, world.particles.count(), lowest, highest)
+                        : is_outside<double>(field, world.particles.count(), lowest, highest);
+}
+
+/// 1 / sum_j W_ij on a square or cubic lattice of as many particles as the box holds, m^Dim. With a kernel that reaches
+/// few neighbours it is not quite the volume that a particle fills.
+double volume_on_lattice(const World& world) {
+  const int dimension = world.scene.dimension;
+  double filled = 1.0 / static_cast<double>(world.scene.particle_count);
+  for (int d = 0; d < dimension; ++d) filled *= world.scene.box[d];
+  const double spacing = std::pow(filled, 1.0 / dimension);
+  const double h = world.kernel.smoothing_length;
+  const int reach = static_cast<int>(world.kernel.radius() / spacing) + 1;
+  double sum = 0.0;
+  for (int x = -reach; x <= reach; ++x)
+    for (int y = -reach; y <= reach; ++y)
+      for (int z = dimension == 3 ? -reach : 0; z <= (dimension == 3 ? reach : 0); ++z)
+        sum += world.kernel.scale * world.kernel.shape.value(spacing / h * std::sqrt(x * x + y * y + z * z));
+  return 1.0 / sum;
+}
+
+}  // namespace
+
+Guard::Guard(World& world, const Catalogue& catalogue, const StepGraph& graph, const Integrator& integrator,
+             const StepControl& control)
+    : world_(world), integrator_(integrator), control_(control), lattice_volume_(volume_on_lattice(world)) {
+  // What is made for observers alone is out of date, or was never made.
+  const auto made_at_each_step = [&](const std::string& field) {
+    return std::any_of(graph.works().begin(), graph.works().end(), [&](const Work& work) {
+      const auto& written = work.pass.write_list;
+      const auto& added = work.pass.accumulate_list;
+      return work.for_integration && (std::find(written.begin(), written.end(), field) != written.end() ||
+                                      std::find(added.begin(), added.end(), field) != added.end());
+    });
+  };
+  for (const auto& [name, entry] : catalogue.all())
+    if (entry.declaration.bounds && (catalogue.is_state(name) || made_at_each_step(name)))
+      fields_.push_back({&world.fields.at(name), *entry.declaration.bounds});
+  if (integrator.moves() && !graph.derived_for_integration().empty()) volume_ = &world.fields.at("volume");
+}
+
+void Guard::check(const Motion& motion) const {
+  check_finite(motion);
+  check_speed(motion);
+  check_step(motion);
+  check_fields();
+  if (volume_ != nullptr) check_volumes();
+  if (integrator_.moves() && world_.step % steps_between_looks == 0) check_distances();
+}
+
+void Guard::check_finite(const Motion& motion) const {
+  if (motion.finite) return;
+  const auto bad = integrator_.find_bad();
+  stop("broke down: '" + bad.field + "' is not finite" + (bad.particle >= 0 ? " at " + particle(bad.particle) : ""),
+       smaller_step);
+}
+
+void Guard::check_speed(const Motion& motion) const {
+  if (!(motion.fastest * world_.step_size > farthest * world_.scene.spacing)) return;
+  const Index place = farthest_outside(*integrator_.velocity(), world_.particles.count(), 0.0, 0.0);
+  stop("ran away: the largest speed, " + rounded_text(motion.fastest) + " m/s of " + particle(place) +
+           ", carries it over " + rounded_text(farthest) + " spacings in one step",
+       "Take a smaller time.step, or leave it to \"auto\"");
+}
+
+void Guard::check_step(const Motion& motion) const {
+  if (control_.fixed() || !std::isfinite(control_.at_rest())) return;
+  const auto [next, limit] = control_.choose(motion.fastest, motion.largest_acceleration);
+  if (!(next < shortest * control_.at_rest())) return;
+  const Index count = world_.particles.count();
+  const auto largest = [&](const Field* field, double value, const std::string& unit) {
+    return rounded_text(value) + " " + unit + " of " + particle(farthest_outside(*field, count, 0.0, 0.0));
+  };
+  stop("ran away: the largest speed, " + largest(integrator_.velocity(), motion.fastest, "m/s") +
+           ", and acceleration, " + largest(integrator_.acceleration(), motion.largest_acceleration, "m/s2") +
+           ", ask for steps of " + rounded_text(next) + " s (" + limit + "), where the fluid at rest allows " +
+           rounded_text(control_.at_rest()) + " s",
+       "Take a smaller step (time.factor = 0.5), more particles, or a smaller activity");
+}
+
+void Guard::check_fields() const {
+  for (const auto& [field, bounds] : fields_) {
+    if (!is_outside(world_, *field, bounds.lowest, bounds.highest)) continue;
+    const Index place = farthest_outside(*field, world_.particles.count(), bounds.lowest, bounds.highest);
+    stop("broke down: '" + field->name() + "' is " + rounded_text(length_of(*field, place)) + " at " + particle(place) +
+             ", outside " + rounded_text(bounds.lowest) + " to " + rounded_text(bounds.highest) + ",",
+         bounds.remedy);
+  }
+}
+
+void Guard::check_volumes() const {
+  const double lowest = smallest_volume * lattice_volume_;
+  const double highest = largest_volume * lattice_volume_;
+  if (!is_outside(world_, *volume_, lowest, highest)) return;
+  const Index place = farthest_outside(*volume_, world_.particles.count(), lowest, highest);
+  const double ratio = volume_->value(0, place) / lattice_volume_;
+  stop("broke down: the volume of " + particle(place) + " is " + rounded_text(ratio) +
+           " times that on a lattice, outside " + rounded_text(smallest_volume) + " to " +
+           rounded_text(largest_volume) + ": " +
+           (ratio > 1.0 ? "particles have left a void there" : "particles have gathered there") + ",",
+       smaller_step);
+}
+
+void Guard::check_distances() const {
+  const auto pair = closest_pair(world_, nearest * world_.scene.spacing);
+  if (!pair) return;
+  stop("broke down: " + particle(std::min(pair->a, pair->b)) + " and " + particle(std::max(pair->a, pair->b)) +
+           " are " + rounded_text(pair->distance / world_.scene.spacing) + " spacings apart, less than " +
+           rounded_text(nearest) + ",",
+       smaller_step);
+}
+
+std::string Guard::particle(Index place) const {
+  std::array<double, 3> at{};
+  std::array<std::int32_t, 3> images{};
+  for (int d = 0; d < world_.scene.dimension; ++d) at[d] = world_.particles.position[d][place];
+  world_.boundary.keep_inside(world_.scene, at.data(), images.data());
+  std::string text = "particle " + std::to_string(world_.particles.id[place]) + " (";
+  for (int d = 0; d < world_.scene.dimension; ++d) text += (d > 0 ? ", " : "") + rounded_text(at[d]);
+  return text + ")";
+}
+
+void Guard::stop(const std::string& what, const std::string& remedy) const {
+  throw Error(ExitCode::run_failed, "the run " + what + " at t = " + rounded_text(world_.time) + " s (step " +
+                                        std::to_string(world_.step) + ", step size " + rounded_text(world_.step_size) +
+                                        " s). " + remedy + "; the frames before are kept");
+}
+
+}  // namespace mesogen

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "mesogen/export.hpp"
+#include "schedule/catalogue.hpp"
+#include "schedule/step_graph.hpp"
+#include "schedule/world.hpp"
+#include "time/integrator.hpp"
+#include "time/step_control.hpp"
+
+namespace mesogen {
+
+/// Ends a run that is broken, with the particle, the field, its value and bound, the time and the likely remedy. It
+/// only looks: a guarded run has the bits of an unguarded one.
+///
+/// Its bounds are those that no sound run meets: particle volumes stay within some 5 % of the lattice's (20 % right
+/// after a jittered start), speeds below the fifth of a spacing in a step that step control allows.
+class MESOGEN_EXPORT Guard {
+ public:
+  /// All of these must outlive it.
+  Guard(World& world, const Catalogue& catalogue, const StepGraph& graph, const Integrator& integrator,
+        const StepControl& control);
+
+  /// After a step. Throws Error(run_failed).
+  void check(const Motion& motion) const;
+
+ private:
+  struct Guarded {
+    Field* field;
+    FieldBounds bounds;
+  };
+
+  void check_finite(const Motion& motion) const;
+  void check_speed(const Motion& motion) const;
+  void check_step(const Motion& motion) const;
+  void check_fields() const;
+  void check_volumes() const;
+  void check_distances() const;
+  [[nodiscard]] std::string particle(Index place) const;
+  [[noreturn]] void stop(const std::string& what, const std::string& remedy) const;
+
+  World& world_;
+  const Integrator& integrator_;
+  const StepControl& control_;
+  std::vector<Guarded> fields_;
+  Field* volume_ = nullptr;  ///< null if it is not made anew at each step
+  double lattice_volume_;    ///< of a particle on the lattice as `volume` measures it, m^Dim
+};
+
+}  // namespace mesogen
