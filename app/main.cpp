@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <csignal>
 #include <exception>
 #include <iostream>
 #include <new>
@@ -32,6 +33,8 @@ ExitCode explain(const CLI::App& command) {
 
 int main(int count, char** arguments) {
   using namespace mesogen;
+  // Beyond a limit on the size of files (ulimit -f) writing is to fail with an error, not to end the process.
+  std::signal(SIGXFSZ, SIG_IGN);
   try {
     CLI::App command("Mesogen: active nematics by smoothed particle hydrodynamics", "mesogen");
     command.set_version_flag("--version", fmt::format("mesogen {} ({})", version(), build_text()));
@@ -40,6 +43,7 @@ int main(int count, char** arguments) {
     app::Action action;
     app::add_run(command, action);
     app::add_resume(command, action);
+    app::add_replay(command, action);
     app::add_check(command, action);
     app::add_graph(command, action);
     app::add_plugin(command, action);

@@ -41,11 +41,15 @@ std::unique_ptr<Setup> set_up(const CaseOptions& options, const PluginRegistry& 
   return mesogen::set_up(std::move(source), registry, problems);
 }
 
-void add_running(CLI::App& verb, RunningOptions& options) {
+void add_threads(CLI::App& verb, RunningOptions& options) {
   verb.add_option("--threads", options.threads, "Threads to compute with (default: all cores, or OMP_NUM_THREADS)")
       ->type_name("N")
       ->check(CLI::Range(1, 4096));
   verb.add_flag("--quiet", options.quiet, "Only warnings and errors, no progress");
+}
+
+void add_running(CLI::App& verb, RunningOptions& options) {
+  add_threads(verb, options);
   verb.add_flag("--profile", options.profile, "Tell at the end where the time went");
 }
 

@@ -43,6 +43,8 @@ struct RunningOptions {
 };
 
 void add_running(CLI::App& verb, RunningOptions& options);
+/// --threads and --quiet alone.
+void add_threads(CLI::App& verb, RunningOptions& options);
 void use_threads(const RunningOptions& options);
 
 }  // namespace mesogen::app

@@ -118,5 +118,10 @@ MESOGEN_EXPORT Case read_case(const std::string& path, const std::vector<std::st
 /// The same from a text; `name` stands for the file in messages.
 MESOGEN_EXPORT Case read_case_text(std::string_view text, const std::string& name,
                                    const std::vector<std::string>& overrides, Problems& problems);
+/// The case in `text` with the observers of the file `observers` (none if empty), of which nothing else is used.
+/// Overrides may change keys of observers alone.
+MESOGEN_EXPORT Case read_case_with_observers(std::string_view text, const std::string& name,
+                                             const std::string& observers, const std::vector<std::string>& overrides,
+                                             Problems& problems);
 
 }  // namespace mesogen

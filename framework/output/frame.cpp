@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <stdexcept>
+
 #include "mesogen/diagnostics/error.hpp"
 #include "output/frame_file.hpp"
 #include "output/hdf5.hpp"
@@ -12,7 +14,12 @@ namespace mesogen::output {
 std::string frame_name(std::size_t number) { return fmt::format("frames/{:06}.h5", number); }
 
 hid_t stored_type_of(const FieldShape& field) {
-  return field.single ? hdf5::stored_type<float>() : hdf5::stored_type<double>();
+  switch (field.type) {
+    case NumberType::float64: return hdf5::stored_type<double>();
+    case NumberType::float32: return hdf5::stored_type<float>();
+    case NumberType::int32: return hdf5::stored_type<std::int32_t>();
+  }
+  throw std::logic_error("a type that no frame has");
 }
 
 std::vector<std::uint64_t> frame_dimensions(const FieldShape& field, std::size_t particles) {
@@ -27,7 +34,7 @@ void write_frame(const std::filesystem::path& file, const std::vector<FrameField
     hdf5::write_attribute(memory, "step", stamp.step);
     hdf5::write_attribute(memory, "time", stamp.time);
     for (const FrameField& field : fields) {
-      const FieldShape shape{field.name, field.unit, field.components, field.single};
+      const FieldShape shape{field.name, field.unit, field.components, field.type};
       const std::size_t particles = field.values.size() / static_cast<std::size_t>(field.components);
       const std::vector<std::uint64_t> sizes = frame_dimensions(shape, particles);
       const hdf5::Id dataset =

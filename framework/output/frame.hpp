@@ -9,13 +9,16 @@
 
 namespace mesogen {
 
+/// How numbers are stored.
+enum class NumberType { float64, float32, int32 };
+
 /// One field of a frame, all particles in the order of their id.
 struct FrameField {
   std::string name;
   std::string unit;
   int components = 1;
   std::vector<double> values;  ///< particles x components, row by row
-  bool single = false;         ///< store as 32-bit numbers
+  NumberType type = NumberType::float64;
 };
 
 namespace output {
@@ -25,7 +28,7 @@ struct FieldShape {
   std::string name;
   std::string unit;
   int components = 1;
-  bool single = false;
+  NumberType type = NumberType::float64;
 
   bool operator==(const FieldShape&) const = default;
 };

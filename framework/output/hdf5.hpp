@@ -48,15 +48,18 @@ using Dimensions = std::vector<hsize_t>;
 /// How values of a C++ type lie in memory, and how they are stored.
 template <class T>
 hid_t memory_type() {
-  static_assert(std::is_same_v<T, double> || std::is_same_v<T, float> || std::is_same_v<T, std::int64_t>);
+  static_assert(std::is_same_v<T, double> || std::is_same_v<T, float> || std::is_same_v<T, std::int64_t> ||
+                std::is_same_v<T, std::int32_t>);
   if constexpr (std::is_same_v<T, double>) return H5T_NATIVE_DOUBLE;
   if constexpr (std::is_same_v<T, float>) return H5T_NATIVE_FLOAT;
+  if constexpr (std::is_same_v<T, std::int32_t>) return H5T_NATIVE_INT32;
   return H5T_NATIVE_INT64;
 }
 template <class T>
 hid_t stored_type() {
   if constexpr (std::is_same_v<T, double>) return H5T_IEEE_F64LE;
   if constexpr (std::is_same_v<T, float>) return H5T_IEEE_F32LE;
+  if constexpr (std::is_same_v<T, std::int32_t>) return H5T_STD_I32LE;
   return H5T_STD_I64LE;
 }
 

@@ -22,7 +22,7 @@ std::vector<output::FieldShape> shapes_of(const std::vector<FrameField>& fields,
     if (field.components < 1 ||
         field.values.size() != static_cast<std::size_t>(count) * static_cast<std::size_t>(field.components))
       throw std::logic_error("a frame's field " + field.name + " must have one row a particle");
-    shapes.push_back({field.name, field.unit, field.components, field.single});
+    shapes.push_back({field.name, field.unit, field.components, field.type});
   }
   std::ranges::sort(shapes, {}, &output::FieldShape::name);
   if (std::ranges::find(shapes, "position", &output::FieldShape::name) == shapes.end())
@@ -47,7 +47,7 @@ ResultsWriter ResultsWriter::resume(Options options, std::int64_t last_step) {
   ResultsWriter writer(std::move(options));
   const std::filesystem::path& folder = writer.options_.folder;
   if (last_step >= 0) {
-    output::StoredResults stored = output::read_results(writer.options_);
+    output::StoredResults stored = output::read_results(writer.options_, "continue");
     std::erase_if(stored.content.frames, [&](const output::FrameStamp& frame) { return frame.step > last_step; });
     if (stored.content.frames.empty()) stored.content.fields.clear();
     stored.content.samples.drop_after(last_step);

@@ -25,8 +25,8 @@ struct StoredResults {
   Layout layout = Layout::views;
 };
 
-/// Throws Error(bad_case) if the folder's results.h5 cannot be read or is of another run.
-StoredResults read_results(const ResultsOptions& options);
+/// Throws Error(bad_case), "cannot <purpose> ...", if the folder's results.h5 cannot be read or is of another run.
+StoredResults read_results(const ResultsOptions& options, const std::string& purpose);
 
 /// Throws Error(bad_case) unless the file of every frame is there and is the one that results.h5 means.
 void check_frames(const ResultsOptions& options, const std::vector<FrameStamp>& frames);

@@ -34,10 +34,11 @@ void fill(const Id& file, const ResultsOptions& options, const ResultsContent& c
     for (const FieldShape& field : content.fields) {
       const Id packed = hdf5::open_dataset(file, value_name(field));
       const hdf5::Dimensions sizes = value_dimensions(field, content.frames.size(), particles);
-      if (field.single)
-        copy_frame<float>(frame, packed, field, sizes, number);
-      else
-        copy_frame<double>(frame, packed, field, sizes, number);
+      switch (field.type) {
+        case NumberType::float64: copy_frame<double>(frame, packed, field, sizes, number); break;
+        case NumberType::float32: copy_frame<float>(frame, packed, field, sizes, number); break;
+        case NumberType::int32: copy_frame<std::int32_t>(frame, packed, field, sizes, number); break;
+      }
     }
   }
 }
@@ -49,7 +50,7 @@ std::uint64_t largest_size(const ResultsOptions& options, const ResultsContent& 
   constexpr std::uint64_t spare = std::uint64_t{1} << 16;  // for how HDF5 groups what it stores
   std::uint64_t size = hdf5::image(structure).size() + spare;
   for (const FieldShape& field : content.fields) {
-    std::uint64_t bytes = field.single ? sizeof(float) : sizeof(double);
+    std::uint64_t bytes = H5Tget_size(stored_type_of(field));
     for (const hsize_t n : value_dimensions(field, content.frames.size(), static_cast<std::size_t>(options.count)))
       bytes *= n;
     size += bytes;
@@ -86,8 +87,7 @@ void unpack(const ResultsOptions& options, const ResultsContent& content) {
       for (const FieldShape& field : content.fields) {
         const Id packed = hdf5::open_dataset(file, value_name(field));
         const hdf5::Dimensions sizes = hdf5::dimensions_of(packed);
-        FrameField& values =
-            fields.emplace_back(FrameField{field.name, field.unit, field.components, {}, field.single});
+        FrameField& values = fields.emplace_back(FrameField{field.name, field.unit, field.components, {}, field.type});
         values.values.resize(static_cast<std::size_t>(options.count) * static_cast<std::size_t>(field.components));
         const Id memory = hdf5::dataspace({values.values.size()});
         hdf5::check(H5Dread(packed.get(), H5T_NATIVE_DOUBLE, memory.get(), hdf5::slice(sizes, number).get(),

@@ -21,11 +21,14 @@ void read_fields(const Id& fluid, const ResultsOptions& options, StoredResults& 
     if (name == "box" || name == "id") continue;
     const Id element = hdf5::open_group(fluid, name);
     const Id value = hdf5::open_dataset(element, "value");
-    FieldShape field{name, hdf5::read_text_attribute(value, "unit"), 1, false};
+    FieldShape field{name, hdf5::read_text_attribute(value, "unit"), 1, NumberType::float64};
     const hdf5::Dimensions sizes = hdf5::dimensions_of(value);
     if (sizes.size() == 3) field.components = static_cast<int>(sizes[2]);
     const Id type(H5Dget_type(value.get()), H5Tclose, "read " + name);
-    field.single = H5Tget_size(type.get()) == sizeof(float);
+    if (H5Tget_class(type.get()) == H5T_INTEGER)
+      field.type = NumberType::int32;
+    else if (H5Tget_size(type.get()) == sizeof(float))
+      field.type = NumberType::float32;
     if (stored.content.fields.empty()) stored.content.frames = stamps(element);
     if (sizes != value_dimensions(field, stored.content.frames.size(), static_cast<std::size_t>(options.count)))
       throw hdf5::Failure("particles/fluid/" + name + " has another shape than this run's");
@@ -78,7 +81,7 @@ void read_samples(const Id& observables, SampleStore& samples) {
 
 }  // namespace
 
-StoredResults read_results(const ResultsOptions& options) {
+StoredResults read_results(const ResultsOptions& options, const std::string& purpose) {
   const std::filesystem::path path = options.folder / "results.h5";
   try {
     const Id file = hdf5::open_file(path);
@@ -87,7 +90,7 @@ StoredResults read_results(const ResultsOptions& options) {
     read_samples(hdf5::open_group(file, "observables"), stored.content.samples);
     return stored;
   } catch (const hdf5::Failure& failure) {
-    throw Error(ExitCode::bad_case, "cannot continue " + path.string() + ": " + failure.what());
+    throw Error(ExitCode::bad_case, "cannot " + purpose + " " + path.string() + ": " + failure.what());
   }
 }
 

@@ -90,7 +90,8 @@ Id create_view(const Id& element, const FieldShape& field, const hdf5::Dimension
   const Id list(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, "set up a view");
   hdf5::check(H5Pset_obj_track_times(list.get(), false), "set up a view");
   constexpr double missing = std::numeric_limits<double>::quiet_NaN();
-  hdf5::check(H5Pset_fill_value(list.get(), H5T_NATIVE_DOUBLE, &missing), "set up a view");
+  if (field.type != NumberType::int32)
+    hdf5::check(H5Pset_fill_value(list.get(), H5T_NATIVE_DOUBLE, &missing), "set up a view");
   const Id source = hdf5::dataspace({sizes.begin() + 1, sizes.end()});
   for (std::size_t frame = 0; frame < sizes.front(); ++frame)
     hdf5::check(H5Pset_virtual(list.get(), hdf5::slice(sizes, frame).get(), frame_name(frame).c_str(),

@@ -132,6 +132,10 @@ bool holds_run(const fs::path& folder) {
       run_files, [&](const char* name) { return std::string(name) != "run.log" && fs::exists(folder / name, error); });
 }
 
+bool is_run_file(const fs::path& file) {
+  return std::ranges::find(run_files, file.filename().string()) != run_files.end();
+}
+
 RunLock start_run_folder(const fs::path& given, const std::string& case_text, bool overwrite) {
   const fs::path folder = (given.has_filename() ? given : given.parent_path());
   std::error_code error;

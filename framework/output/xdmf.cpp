@@ -29,13 +29,15 @@ std::string values(const FieldShape& field, std::size_t frame, std::size_t frame
   const std::string tail = scalar ? "" : fmt::format(" {}", field.components);
   return fmt::format(R"(          <DataItem ItemType="HyperSlab" Dimensions="{particles}{tail}" Type="HyperSlab">
             <DataItem Dimensions="3 {rank}" Format="XML">{frame} 0{zero} 1 1{one} 1 {particles}{tail}</DataItem>
-            <DataItem Format="HDF" NumberType="Float" Precision="{precision}" Dimensions="{frames} {particles}{tail}">results.h5:/particles/fluid/{name}/value</DataItem>
+            <DataItem Format="HDF" NumberType="{type}" Precision="{precision}" Dimensions="{frames} {particles}{tail}">results.h5:/particles/fluid/{name}/value</DataItem>
           </DataItem>
 )",
                      fmt::arg("particles", particles), fmt::arg("tail", tail), fmt::arg("rank", scalar ? 2 : 3),
                      fmt::arg("frame", frame), fmt::arg("zero", scalar ? "" : " 0"),
-                     fmt::arg("one", scalar ? "" : " 1"), fmt::arg("precision", field.single ? 4 : 8),
-                     fmt::arg("frames", frames), fmt::arg("name", escaped(field.name)));
+                     fmt::arg("one", scalar ? "" : " 1"),
+                     fmt::arg("type", field.type == NumberType::int32 ? "Int" : "Float"),
+                     fmt::arg("precision", field.type == NumberType::float64 ? 8 : 4), fmt::arg("frames", frames),
+                     fmt::arg("name", escaped(field.name)));
 }
 
 std::string grid(const ResultsOptions& options, const ResultsContent& content, std::size_t frame) {

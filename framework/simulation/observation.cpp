@@ -28,6 +28,10 @@ class DeclaredView final : public WorldView {
                                                 "after every step; read it in sample()");
     return WorldView::values(name, component);
   }
+  [[nodiscard]] bool has(std::string_view name) const override {
+    const auto& declared = observer_.fields;
+    return std::find(declared.begin(), declared.end(), name) != declared.end() && WorldView::has(name);
+  }
 
  private:
   const Setup& setup_;
@@ -80,8 +84,8 @@ std::vector<bool> Observation::due(double from, double to, std::int64_t steps, b
   return due;
 }
 
-void Observation::observe(const std::vector<bool>& due, ResultsWriter& results) {
-  World& world = stepper_.world();
+void Observation::sample(const std::vector<bool>& due, const TakeSample& take) {
+  const World& world = stepper_.world();
   const auto& members = stepper_.setup().observers;
   for (std::size_t n = 0; n < members.size(); ++n) {
     const auto& member = members[n];
@@ -93,12 +97,18 @@ void Observation::observe(const std::vector<bool>& due, ResultsWriter& results) 
     stepper_.executor().prepare(member.fields);
     Sample sample;
     call(world, member, "sample()", [&] { member.plugin->sample(view, sample); });
-    results.add_sample(member.instance, sample, world.step, world.time);
+    take(member.instance, sample);
   }
-  if (due.back()) {
-    stepper_.executor().prepare(stepper_.setup().output_fields);
-    results.add_frame(frame(), world.step, world.time);
-  }
+}
+
+void Observation::observe(const std::vector<bool>& due, ResultsWriter& results) {
+  const World& world = stepper_.world();
+  sample(due, [&](const std::string& observer, const Sample& sample) {
+    results.add_sample(observer, sample, world.step, world.time);
+  });
+  if (!due.back()) return;
+  stepper_.executor().prepare(stepper_.setup().output_fields);
+  results.add_frame(frame(), world.step, world.time);
 }
 
 std::vector<FrameField> Observation::frame() {
@@ -107,22 +117,32 @@ std::vector<FrameField> Observation::frame() {
   const std::size_t count = world.particles.id.size();
   const int dimension = world.scene.dimension;
   std::vector<FrameField> fields;
-  FrameField position{"position", "m", dimension, std::vector<double>(count * static_cast<std::size_t>(dimension)),
-                      false};
+  const std::size_t size = count * static_cast<std::size_t>(dimension);
+  FrameField position{"position", "m", dimension, std::vector<double>(size), NumberType::float64};
+  // H5MD's name for the boxes that a particle has crossed.
+  FrameField image{"image", "1", dimension, std::vector<double>(size), NumberType::int32};
   for (std::size_t i = 0; i < count; ++i) {
     std::array<double, 3> at{};
     std::array<std::int32_t, 3> images{};
-    for (int d = 0; d < dimension; ++d) at[d] = world.particles.position[d][i];
+    for (int d = 0; d < dimension; ++d) {
+      at[d] = world.particles.position[d][i];
+      images[d] = world.particles.images[d][i];
+    }
     world.boundary.keep_inside(world.scene, at.data(), images.data());
     const auto row = static_cast<std::size_t>(world.particles.id[i] * dimension);
-    for (int d = 0; d < dimension; ++d) position.values[row + static_cast<std::size_t>(d)] = at[d];
+    for (int d = 0; d < dimension; ++d) {
+      position.values[row + static_cast<std::size_t>(d)] = at[d];
+      image.values[row + static_cast<std::size_t>(d)] = images[d];
+    }
   }
   fields.push_back(std::move(position));
+  fields.push_back(std::move(image));
   for (const std::string& name : setup.output_fields) {
     const Field& field = world.fields.at(name);
     const int components = field.components();
     FrameField stored{name, setup.catalogue.unit(name), components,
-                      std::vector<double>(count * static_cast<std::size_t>(components)), world.single()};
+                      std::vector<double>(count * static_cast<std::size_t>(components)),
+                      world.single() ? NumberType::float32 : NumberType::float64};
     for (int c = 0; c < components; ++c)
       for (std::size_t i = 0; i < count; ++i)
         stored.values[static_cast<std::size_t>(world.particles.id[i] * components + c)] =

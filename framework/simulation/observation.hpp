@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "mesogen/export.hpp"
@@ -31,7 +32,10 @@ class MESOGEN_EXPORT Observation {
   /// Which readers (the observers, then the output) read at the end of the step from `from` to `to`; all if it is the
   /// last one.
   [[nodiscard]] std::vector<bool> due(double from, double to, std::int64_t steps, bool last) const;
-  /// After a step: observers that follow, and those that are due, and a frame if it is due.
+  using TakeSample = std::function<void(const std::string& observer, const Sample& sample)>;
+  /// After a step: observers that follow, and those that are due.
+  void sample(const std::vector<bool>& due, const TakeSample& take);
+  /// The same for the results, and a frame if it is due.
   void observe(const std::vector<bool>& due, ResultsWriter& results);
 
   void save(Checkpoint& checkpoint) const;

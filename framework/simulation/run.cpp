@@ -8,6 +8,7 @@
 
 #include "output/run_folder.hpp"
 #include "simulation/observation.hpp"
+#include "simulation/results_options.hpp"
 #include "simulation/rounded_text.hpp"
 #include "simulation/stepper.hpp"
 
@@ -27,15 +28,15 @@ class Run {
     log_.open_file(options.folder / "run.log");
   }
 
-  ExitCode begin() { return begin(ResultsWriter::create(results_options())); }
+  ExitCode begin() { return begin(ResultsWriter::create(results_options(setup_, options_.folder))); }
 
   /// After a kill before the first checkpoint: whatever results there are make room.
-  ExitCode begin_again() { return begin(ResultsWriter::resume(results_options(), -1)); }
+  ExitCode begin_again() { return begin(ResultsWriter::resume(results_options(setup_, options_.folder), -1)); }
 
   ExitCode resume(const Checkpoint& checkpoint) {
     stepper_.restore(checkpoint);
     observation_.restore(checkpoint);
-    ResultsWriter results = ResultsWriter::resume(results_options(), checkpoint.step);
+    ResultsWriter results = ResultsWriter::resume(results_options(setup_, options_.folder), checkpoint.step);
     observation_.declare(results);
     return go_on(results);
   }
@@ -50,7 +51,7 @@ class Run {
                           omp_get_max_threads(), precision(), rounded_text(stepper_.next_step(end()).seconds),
                           stepper_.next_step(end()).limit));
     if (const std::string fitted = fitted_spacing_text(setup_.source); !fitted.empty())
-      log_.info("particles.spacing is " + number_text(setup_.scene.spacing) + " m: " + fitted);
+      log_.info("particles.spacing is " + rounded_text(setup_.scene.spacing) + " m: " + fitted);
     return go_on(results);
   }
 
@@ -59,20 +60,6 @@ class Run {
     return setup_.scene.precision == Precision::single_precision ? "single precision" : "double precision";
   }
   [[nodiscard]] bool stopped() const { return options_.stop != nullptr && options_.stop->load(); }
-
-  [[nodiscard]] ResultsOptions results_options() const {
-    ResultsOptions o;
-    o.folder = options_.folder;
-    o.box = setup_.scene.box;
-    o.dimension = setup_.scene.dimension;
-    o.periodic.assign(setup_.scene.periodic.begin(), setup_.scene.periodic.begin() + o.dimension);
-    o.case_text = setup_.resolved_text;
-    o.version = MESOGEN_VERSION;
-    o.build = MESOGEN_BUILD_TAG;
-    o.seed = setup_.source.particles.seed;
-    o.count = setup_.scene.particle_count;
-    return o;
-  }
 
   void write_checkpoint(ResultsWriter& results) {
     results.flush();
@@ -83,6 +70,7 @@ class Run {
     stepper_.save(checkpoint);
     observation_.save(checkpoint);
     mesogen::write_checkpoint(options_.folder, checkpoint);
+    saved_step_ = checkpoint.step;
   }
 
   ExitCode go_on(ResultsWriter& results) {
@@ -107,14 +95,15 @@ class Run {
           saved = Clock::now();
         }
       }
-    } catch (...) {
+    } catch (const std::exception& failure) {
       progress_.finish(world.time, world.step);
-      keep_samples(results);
+      keep_samples(results, failure.what());
       throw;
     }
     const double stepping = seconds_since(begun);
     progress_.finish(world.time, world.step);
-    write_checkpoint(results);
+    // Not twice the same: the two that are kept are to be two.
+    if (saved_step_ != world.step) write_checkpoint(results);
     if (world.time < end()) {
       log_.warn(fmt::format("interrupted at t = {} s; `mesogen resume {}` continues", rounded_text(world.time),
                             options_.folder.string()));
@@ -126,11 +115,11 @@ class Run {
   }
 
   // After a failure: its message matters more than that of a disk that is full as well.
-  void keep_samples(ResultsWriter& results) {
+  void keep_samples(ResultsWriter& results, const std::string& failure) {
     try {
       results.flush();
     } catch (const Error& error) {
-      log_.warn(error.what());
+      if (error.what() != failure) log_.warn(error.what());
     }
   }
 
@@ -152,6 +141,7 @@ class Run {
   Progress& progress_;
   Stepper stepper_;
   Observation observation_;
+  std::int64_t saved_step_ = -1;  ///< of the last checkpoint written
 };
 
 }  // namespace

@@ -173,6 +173,13 @@ void Stepper::restore(const Checkpoint& checkpoint) {
   world_.time = checkpoint.time;
   world_.step_size = checkpoint.step_size;
   world_.particles.id = take(checkpoint.integers, "id");
+  std::vector<bool> seen(world_.particles.id.size(), false);
+  for (const std::int64_t id : world_.particles.id) {
+    if (id < 0 || id >= world_.particles.count() || seen[static_cast<std::size_t>(id)])
+      throw Error(ExitCode::bad_case, "the checkpoint names particle " + std::to_string(id) +
+                                          " twice, or it is none of this case: it belongs to another one");
+    seen[static_cast<std::size_t>(id)] = true;
+  }
   std::array<std::vector<double>, 3> sorted;
   for (int d = 0; d < world_.scene.dimension; ++d) {
     const std::string axis = std::to_string(d);

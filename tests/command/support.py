@@ -8,8 +8,8 @@ import unittest
 MESOGEN = os.environ["MESOGEN"]
 BROKEN_PLUGINS = os.environ["BROKEN_PLUGINS"]
 PROJECT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
-VERBS = [["run"], ["resume"], ["check"], ["graph"], ["plugin"], ["plugin", "list"], ["plugin", "info"], ["field"],
-         ["field", "list"], ["schema"], ["reference"], ["report"]]
+VERBS = [["run"], ["resume"], ["replay"], ["check"], ["graph"], ["plugin"], ["plugin", "list"], ["plugin", "info"],
+         ["field"], ["field", "list"], ["schema"], ["reference"], ["report"]]
 
 CASE = """\
 title = "A small nematic"
@@ -67,7 +67,7 @@ class CommandTest(unittest.TestCase):
 
     def environment(self, **more):
         kept = {name: value for name, value in os.environ.items() if not name.startswith("MESOGEN_")}
-        return {**kept, "OMP_NUM_THREADS": "1", **more}
+        return {"OMP_NUM_THREADS": "1", **kept, **more}
 
     def mesogen(self, *arguments, code=0, **environment):
         """Runs the command, which must answer with this exit code; returns what it wrote to stdout and stderr."""

@@ -63,6 +63,7 @@ struct Array {
   std::vector<hsize_t> sizes;
   std::vector<double> values;
   std::size_t bytes_each = 0;
+  bool is_integer = false;
   bool is_virtual = false;
 };
 
@@ -93,6 +94,7 @@ class Reader {
     H5Sget_simple_extent_dims(space, result.sizes.data(), nullptr);
     result.values.resize(static_cast<std::size_t>(H5Sget_simple_extent_npoints(space)));
     result.bytes_each = H5Tget_size(type);
+    result.is_integer = H5Tget_class(type) == H5T_INTEGER;
     result.is_virtual = H5Pget_layout(list) == H5D_VIRTUAL;
     EXPECT_GE(H5Dread(dataset, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, result.values.data()), 0) << name;
     H5Pclose(list);
@@ -134,13 +136,17 @@ inline double value_at(std::int64_t step, std::size_t i) {
   return std::sin(static_cast<double>(step) + 0.1 * static_cast<double>(i));
 }
 
+inline double image_at(std::int64_t step, std::size_t i) { return static_cast<double>(step) - static_cast<double>(i); }
+
 inline std::vector<FrameField> frame_at(std::int64_t step, Index count = particles) {
   const auto n = static_cast<std::size_t>(count);
-  std::vector<FrameField> fields{{"velocity", "m/s", 2, std::vector<double>(2 * n), true},
-                                 {"position", "m", 2, std::vector<double>(2 * n), false},
-                                 {"pressure", "Pa", 1, std::vector<double>(n), false}};
+  std::vector<FrameField> fields{{"velocity", "m/s", 2, std::vector<double>(2 * n), NumberType::float32},
+                                 {"position", "m", 2, std::vector<double>(2 * n), NumberType::float64},
+                                 {"image", "1", 2, std::vector<double>(2 * n), NumberType::int32},
+                                 {"pressure", "Pa", 1, std::vector<double>(n), NumberType::float64}};
   for (FrameField& field : fields)
-    for (std::size_t i = 0; i < field.values.size(); ++i) field.values[i] = value_at(step, i);
+    for (std::size_t i = 0; i < field.values.size(); ++i)
+      field.values[i] = field.type == NumberType::int32 ? image_at(step, i) : value_at(step, i);
   return fields;
 }
 
@@ -201,6 +207,7 @@ inline std::size_t expect_valid(const fs::path& folder, Index count = particles)
   const Array steps = reader.array("particles/fluid/position/step");
   const Array position = reader.array("particles/fluid/position/value");
   const Array velocity = reader.array("particles/fluid/velocity/value");
+  const Array image = reader.array("particles/fluid/image/value");
   const std::size_t row = 2 * static_cast<std::size_t>(count);
   EXPECT_EQ(position.values.size(), steps.values.size() * row);
   for (std::size_t frame = 0; frame < steps.values.size(); ++frame) {
@@ -211,6 +218,7 @@ inline std::size_t expect_valid(const fs::path& folder, Index count = particles)
       const double expected = value_at(step, i);
       if (position.values[frame * row + i] != expected) ++wrong;
       if (velocity.values[frame * row + i] != static_cast<double>(static_cast<float>(expected))) ++wrong;
+      if (image.values[frame * row + i] != image_at(step, i)) ++wrong;
     }
     EXPECT_EQ(wrong, 0U) << "frame " << frame;
   }

@@ -55,6 +55,9 @@ class SmallDisk {
   }
   [[nodiscard]] bool is_mounted() const { return mounted_; }
   [[nodiscard]] const fs::path& path() const { return folder_.path(); }
+  void make_read_only() const {
+    ASSERT_EQ(::mount(nullptr, folder_.path().c_str(), nullptr, MS_REMOUNT | MS_RDONLY, nullptr), 0);
+  }
 
  private:
   TemporaryFolder folder_;
@@ -159,6 +162,21 @@ TEST(FullDisk, OfRealKind) {
     EXPECT_NE(why.find("o space left on device"), std::string::npos) << why;
     EXPECT_EQ(expect_valid(disk.path(), many), written) << kilobytes << " kB: " << why;
   }
+}
+
+TEST(ReadOnlyDisk, IsNamedAndItsFramesAreReadable) {
+  const SmallDisk disk("4m");
+  if (!disk.is_mounted()) GTEST_SKIP() << "may not mount a file system";
+  ResultsWriter writer = ResultsWriter::create(options_for(disk.path()));
+  declare(writer);
+  advance(writer, 0, 4, many);
+  disk.make_read_only();
+  const std::string why = ": Read-only file system; check its permissions, or choose another folder with --output";
+  EXPECT_EQ(error_of([&] { advance(writer, 5, 6, many); }, ExitCode::run_failed),
+            "cannot write " + (disk.path() / "frames/000003.h5").string() + why);
+  EXPECT_EQ(error_of([&] { write_checkpoint(disk.path(), Checkpoint{}); }, ExitCode::run_failed),
+            "cannot write " + (disk.path() / "checkpoint_a.h5").string() + why);
+  EXPECT_EQ(expect_valid(disk.path(), many), 3U);
 }
 
 TEST(LostFolder, IsNamed) {

@@ -49,6 +49,8 @@ TEST(Results, AreH5md) {
   EXPECT_EQ(velocity.sizes, (std::vector<hsize_t>{3, 7, 2}));
   EXPECT_EQ(velocity.bytes_each, 4U);
   EXPECT_EQ(reader.array("particles/fluid/position/value").bytes_each, 8U);
+  EXPECT_EQ(reader.array("particles/fluid/image/value").bytes_each, 4U);
+  EXPECT_TRUE(reader.array("particles/fluid/image/value").is_integer);
   EXPECT_EQ(reader.array("particles/fluid/pressure/value").sizes, (std::vector<hsize_t>{3, 7}));
   EXPECT_EQ(reader.array("particles/fluid/pressure/step").values, (std::vector<double>{0, 2, 4}));
   EXPECT_EQ(reader.array("particles/fluid/pressure/time").values, (std::vector<double>{0, 0.25, 0.5}));

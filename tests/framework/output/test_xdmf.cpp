@@ -23,6 +23,7 @@ void expect_dataset(const Reader& reader, const Tree& item) {
   const Array array = reader.array(text.substr(prefix.size()));
   EXPECT_EQ(numbers_in(item.get<std::string>("<xmlattr>.Dimensions")), array.sizes) << text;
   EXPECT_EQ(item.get<std::string>("<xmlattr>.Precision"), std::to_string(array.bytes_each)) << text;
+  EXPECT_EQ(item.get<std::string>("<xmlattr>.NumberType"), array.is_integer ? "Int" : "Float") << text;
   EXPECT_EQ(item.get<std::string>("<xmlattr>.Format"), "HDF");
 }
 
@@ -70,7 +71,8 @@ void expect_frames(const fs::path& folder, std::size_t frames) {
       else
         expect_slab(reader, attribute.get_child("DataItem"), frame);
     }
-    EXPECT_EQ(attributes, (std::vector<std::string>{"pressure Scalar", "velocity Vector", "id Scalar"}));
+    EXPECT_EQ(attributes,
+              (std::vector<std::string>{"image Vector", "pressure Scalar", "velocity Vector", "id Scalar"}));
     ++frame;
   }
 }

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 #include <omp.h>
 
+#include <algorithm>
+
 #include "active_scene.hpp"
 
 namespace {
@@ -71,6 +73,25 @@ TEST(Restore, RefusesTheCheckpointOfAnotherCase) {
     EXPECT_EQ(error.code(), ExitCode::bad_case);
     EXPECT_STREQ(error.what(),
                  "the checkpoint has no 'field order_tensor 1' for 400 particles: it belongs to another case");
+  }
+}
+
+TEST(Restore, RefusesParticlesThatAreNotThose) {
+  CaseRun run(active_scene("double"));
+  for (const std::int64_t wrong : {-1, 17, 400}) {
+    Checkpoint checkpoint;
+    run.stepper().save(checkpoint);
+    auto& id = checkpoint.integers.at("id");
+    *std::find(id.begin(), id.end(), 18) = wrong;
+    CaseRun other = CaseRun::unstarted(active_scene("double"));
+    try {
+      other.stepper().restore(checkpoint);
+      FAIL() << "restored " << wrong;
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), ExitCode::bad_case);
+      EXPECT_EQ(error.what(), "the checkpoint names particle " + std::to_string(wrong) +
+                                  " twice, or it is none of this case: it belongs to another one");
+    }
   }
 }
 
