@@ -1,5 +1,5 @@
-// Two loops over threads. The first is sound; the second, which runs if there is an argument, is a race: scripts/sanitize
-// shows by it that ThreadSanitizer sees through this OpenMP, neither silent nor crying wolf.
+// Two loops over threads. The first is sound; the second, which runs if there is an argument, is a race:
+// scripts/sanitize shows by it that ThreadSanitizer sees through this OpenMP, neither silent nor crying wolf.
 
 #include <cstdio>
 #include <vector>
