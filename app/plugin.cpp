@@ -92,7 +92,7 @@ ExitCode info(const Options& options) {
 }  // namespace
 
 void add_plugin(CLI::App& command, Action& action) {
-  auto* const plugin = command.add_subcommand("plugin", "Tell about plugins");
+  auto* const plugin = command.add_subcommand("plugin", "Tell about plugins, write and check new ones");
   plugin->require_subcommand(0, 1);
 
   const auto options = std::make_shared<Options>();
@@ -106,6 +106,8 @@ void add_plugin(CLI::App& command, Action& action) {
   }
   list_verb->callback([&action, options] { action = [options] { return list(*options); }; });
   info_verb->callback([&action, options] { action = [options] { return info(*options); }; });
+  add_plugin_new(*plugin, action);
+  add_plugin_check(*plugin, action);
 }
 
 }  // namespace mesogen::app

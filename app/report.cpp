@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "install.hpp"
 #include "verbs.hpp"
 
 namespace mesogen::app {
@@ -31,8 +32,7 @@ runpy.run_module("mesogen.report", run_name="__main__")
 
 /// The Python package lies beside the libraries, in a build as in an installation.
 std::filesystem::path package_folder() {
-  const auto command = std::filesystem::read_symlink("/proc/self/exe");
-  const auto folder = command.parent_path().parent_path() / "lib" / "mesogen" / "python";
+  const auto folder = installation() / "lib" / "mesogen" / "python";
   if (!std::filesystem::exists(folder / "mesogen" / "__init__.py"))
     throw Error(ExitCode::run_failed,
                 fmt::format("the Python package is missing: {} is not there; install Mesogen again", folder.string()));

@@ -17,6 +17,8 @@ void add_replay(CLI::App& command, Action& action);
 void add_check(CLI::App& command, Action& action);
 void add_graph(CLI::App& command, Action& action);
 void add_plugin(CLI::App& command, Action& action);
+void add_plugin_new(CLI::App& plugin, Action& action);
+void add_plugin_check(CLI::App& plugin, Action& action);
 void add_field(CLI::App& command, Action& action);
 void add_schema(CLI::App& command, Action& action);
 void add_reference(CLI::App& command, Action& action);

@@ -1,14 +1,22 @@
-# mesogen_add_plugin(NAME name KIND kernel|boundary|physics|observer SOURCES ... [VECTORISED] [TEST source])
+# mesogen_add_plugin(NAME name KIND kernel|boundary|physics|observer SOURCES ... [VECTORISED]
+#                    [TEST source...] [CONTRACT --set KEY=VALUE ...])
 #
-# Builds one plugin library into <build>/lib/mesogen/plugins, and its test, if one is named.
+# Builds one plugin library into <build>/plugins and installs it into the plugin folder. Where tests are enabled, adds
+#   <name>.contract  what every plugin of its kind must hold: `mesogen plugin check`
+#   <name>.*         the GoogleTest cases of TEST, with mesogen/testing/plugin_harness.hpp at hand
+#
 #   VECTORISED  it has pair sums of its own: build it for the wider instruction sets too; the loader picks one
+#   CONTRACT    arguments of `mesogen plugin check`, where the values that it chooses by itself will not do
 function(mesogen_add_plugin)
-  cmake_parse_arguments(PLUGIN "VECTORISED" "NAME;KIND;TEST" "SOURCES" ${ARGN})
+  cmake_parse_arguments(PLUGIN "VECTORISED" "NAME;KIND" "SOURCES;TEST;CONTRACT" ${ARGN})
   if(NOT PLUGIN_NAME OR NOT PLUGIN_SOURCES)
     message(FATAL_ERROR "mesogen_add_plugin: NAME and SOURCES are needed")
   endif()
   if(NOT PLUGIN_KIND MATCHES "^(kernel|boundary|physics|observer)$")
     message(FATAL_ERROR "mesogen_add_plugin(${PLUGIN_NAME}): KIND is kernel, boundary, physics or observer, not '${PLUGIN_KIND}'")
+  endif()
+  if(PLUGIN_UNPARSED_ARGUMENTS)
+    message(FATAL_ERROR "mesogen_add_plugin(${PLUGIN_NAME}): unknown argument '${PLUGIN_UNPARSED_ARGUMENTS}'")
   endif()
   set(sets baseline)
   if(PLUGIN_VECTORISED)
@@ -17,26 +25,21 @@ function(mesogen_add_plugin)
   foreach(set IN LISTS sets)
     if(set STREQUAL baseline)
       set(target ${PLUGIN_NAME})
-      set(folder ${MESOGEN_PLUGIN_FOLDER})
+      set(subfolder "")
     else()
       set(target ${PLUGIN_NAME}_${set})
-      set(folder ${MESOGEN_PLUGIN_FOLDER}/${set})
+      set(subfolder /${set})
     endif()
     add_library(${target} MODULE ${PLUGIN_SOURCES})
     set_target_properties(${target} PROPERTIES PREFIX "" OUTPUT_NAME ${PLUGIN_NAME}
-                          LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/${folder}
-                          CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
-    target_link_libraries(${target} PRIVATE Mesogen::mesogen)
-    if(TARGET mesogen_options)
-      target_link_libraries(${target} PRIVATE mesogen_options)
-    endif()
+                          LIBRARY_OUTPUT_DIRECTORY ${MESOGEN_PLUGIN_OUTPUT}${subfolder}
+                          CXX_EXTENSIONS OFF CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
+    target_link_libraries(${target} PRIVATE Mesogen::mesogen mesogen_options)
     if(NOT set STREQUAL baseline)
       target_compile_options(${target} PRIVATE -march=${set} ${MESOGEN_INSTRUCTION_SET_OPTIONS})
       add_dependencies(${PLUGIN_NAME} ${target})
     endif()
-    if(MESOGEN_INSTALL_PLUGINS)
-      install(TARGETS ${target} LIBRARY DESTINATION ${folder})
-    endif()
+    install(TARGETS ${target} LIBRARY DESTINATION ${MESOGEN_PLUGIN_FOLDER}${subfolder})
   endforeach()
   if(TARGET programs)
     add_dependencies(programs ${PLUGIN_NAME})
@@ -46,10 +49,26 @@ function(mesogen_add_plugin)
     target_include_directories(${PLUGIN_NAME}_device PRIVATE ${CMAKE_CURRENT_SOURCE_DIR})
     target_link_libraries(${PLUGIN_NAME}_device PRIVATE Mesogen::mesogen)
   endif()
-  if(PLUGIN_TEST AND MESOGEN_TESTS)
-    add_executable(test_${PLUGIN_NAME} ${PLUGIN_TEST})
-    target_link_libraries(test_${PLUGIN_NAME} PRIVATE Mesogen::mesogen mesogen_options mesogen_test_support)
-    add_dependencies(test_${PLUGIN_NAME} ${PLUGIN_NAME})
-    gtest_discover_tests(test_${PLUGIN_NAME} TEST_PREFIX ${PLUGIN_NAME}. DISCOVERY_TIMEOUT 60)
+  if(CMAKE_TESTING_ENABLED)
+    mesogen_add_plugin_tests()
   endif()
 endfunction()
+
+# The tests of mesogen_add_plugin, whose variables it reads.
+macro(mesogen_add_plugin_tests)
+  add_test(NAME ${PLUGIN_NAME}.contract
+           COMMAND $<TARGET_FILE:Mesogen::command> plugin check $<TARGET_FILE:${PLUGIN_NAME}> ${PLUGIN_CONTRACT})
+  set_tests_properties(${PLUGIN_NAME}.contract PROPERTIES TIMEOUT 300 ENVIRONMENT OMP_NUM_THREADS=1)
+  if(PLUGIN_TEST)
+    find_package(GTest REQUIRED)
+    include(GoogleTest)
+    add_executable(test_${PLUGIN_NAME} ${PLUGIN_TEST})
+    set_target_properties(test_${PLUGIN_NAME} PROPERTIES CXX_EXTENSIONS OFF)
+    target_compile_definitions(test_${PLUGIN_NAME} PRIVATE MESOGEN_TESTED_PLUGINS="${MESOGEN_PLUGIN_OUTPUT}")
+    target_link_libraries(test_${PLUGIN_NAME} PRIVATE Mesogen::testing mesogen_options GTest::gtest_main
+                          ${MESOGEN_PLUGIN_TEST_LIBRARIES})
+    add_dependencies(test_${PLUGIN_NAME} ${PLUGIN_NAME})
+    gtest_discover_tests(test_${PLUGIN_NAME} TEST_PREFIX ${PLUGIN_NAME}. DISCOVERY_TIMEOUT 60
+                         PROPERTIES ENVIRONMENT OMP_NUM_THREADS=1)
+  endif()
+endmacro()

@@ -1,4 +1,17 @@
-install(TARGETS mesogen_command RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+install(TARGETS mesogen_command EXPORT MesogenTargets RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 install(DIRECTORY python/mesogen DESTINATION lib/mesogen/python PATTERN __pycache__ EXCLUDE)
+install(DIRECTORY app/templates DESTINATION share/mesogen)
 install(FILES LICENSE README.md ARCHITECTURE.md CHANGELOG.md DESTINATION share/doc/mesogen)
 install(FILES docs/quickstart.png DESTINATION share/doc/mesogen/docs)
+
+# find_package(Mesogen), from an installation and, without one, from the build folder.
+include(CMakePackageConfigHelpers)
+set(package lib/cmake/Mesogen)
+configure_package_config_file(cmake/MesogenConfig.cmake.in ${CMAKE_BINARY_DIR}/${package}/MesogenConfig.cmake
+                              INSTALL_DESTINATION ${package} NO_SET_AND_CHECK_MACRO NO_CHECK_REQUIRED_COMPONENTS_MACRO)
+write_basic_package_version_file(${CMAKE_BINARY_DIR}/${package}/MesogenConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${CMAKE_BINARY_DIR}/${package}/MesogenConfig.cmake ${CMAKE_BINARY_DIR}/${package}/MesogenConfigVersion.cmake
+              cmake/MesogenAddPlugin.cmake cmake/MesogenCompileOptions.cmake DESTINATION ${package})
+install(EXPORT MesogenTargets NAMESPACE Mesogen:: DESTINATION ${package})
+export(EXPORT MesogenTargets NAMESPACE Mesogen:: FILE ${CMAKE_BINARY_DIR}/${package}/MesogenTargets.cmake)
+file(COPY cmake/MesogenAddPlugin.cmake cmake/MesogenCompileOptions.cmake DESTINATION ${CMAKE_BINARY_DIR}/${package})

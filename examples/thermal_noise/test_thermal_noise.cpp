@@ -59,18 +59,16 @@ TEST(ThermalNoise, GivesEachComponentHalfKT) {
   EXPECT_NEAR(product / expected, 0.0, 0.03) << "the components are independent";
 }
 
-TEST(ThermalNoise, IsTheSameForAnyNumberOfThreadsAndAnyOrderOfStorage) {
-  const auto after = [](int threads, bool shuffled) {
+TEST(ThermalNoise, IsTheSameForAnyNumberOfThreads) {
+  const auto after = [](int threads) {
     omp_set_num_threads(threads);
     PluginHarness plugin = bath();
-    if (shuffled) plugin.shuffle(5);
     plugin.step(20);
     return plugin.values("order_tensor", 0);
   };
-  const auto expected = after(1, false);
+  const auto expected = after(1);
   EXPECT_GT(mean_square(expected), 0.0);
-  EXPECT_EQ(after(3, false), expected);
-  EXPECT_EQ(after(1, true), expected);
+  EXPECT_EQ(after(3), expected);
   omp_set_num_threads(1);
 }
 
@@ -84,7 +82,7 @@ TEST(ThermalNoise, DependsOnTheSeed) {
 
 TEST(ThermalNoise, AsksForANematic) {
   try {
-    PluginHarness(PluginKind::physics, "thermal_noise", "temperature = 1e-5");
+    PluginHarness(PluginKind::physics, "thermal_noise", "temperature = 1e-5").start();
     FAIL() << "was accepted";
   } catch (const Error& error) {
     EXPECT_NE(std::string(error.what())

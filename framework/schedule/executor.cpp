@@ -107,6 +107,11 @@ void Executor::run(Phase phase, const std::vector<bool>& reader_due) {
   }
 }
 
+void Executor::run_alone(Work& work) {
+  world_.settle();
+  run(work);
+}
+
 void Executor::run(Work& work) {
   for (const std::string& field : work.pass.own_reads) prepare(field);
   for (const std::string& field : work.pass.optional_reads)

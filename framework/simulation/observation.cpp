@@ -84,21 +84,27 @@ std::vector<bool> Observation::due(double from, double to, std::int64_t steps, b
   return due;
 }
 
+void Observation::follow() {
+  for (const auto& member : stepper_.setup().observers)
+    if (member.plan.follows())
+      call(stepper_.world(), member, "follow()",
+           [&] { member.plugin->follow(DeclaredView(stepper_.world(), stepper_.setup(), member, true)); });
+}
+
+Sample Observation::sample(std::size_t n) {
+  const auto& member = stepper_.setup().observers[n];
+  stepper_.executor().prepare(member.fields);
+  Sample sample;
+  call(stepper_.world(), member, "sample()",
+       [&] { member.plugin->sample(DeclaredView(stepper_.world(), stepper_.setup(), member, false), sample); });
+  return sample;
+}
+
 void Observation::sample(const std::vector<bool>& due, const TakeSample& take) {
-  const World& world = stepper_.world();
   const auto& members = stepper_.setup().observers;
-  for (std::size_t n = 0; n < members.size(); ++n) {
-    const auto& member = members[n];
-    if (member.plan.follows() && world.step > 0)
-      call(world, member, "follow()",
-           [&] { member.plugin->follow(DeclaredView(world, stepper_.setup(), member, true)); });
-    if (!due[n]) continue;
-    const DeclaredView view(world, stepper_.setup(), member, false);
-    stepper_.executor().prepare(member.fields);
-    Sample sample;
-    call(world, member, "sample()", [&] { member.plugin->sample(view, sample); });
-    take(member.instance, sample);
-  }
+  if (stepper_.world().step > 0) follow();
+  for (std::size_t n = 0; n < members.size(); ++n)
+    if (due[n]) take(members[n].instance, sample(n));
 }
 
 void Observation::observe(const std::vector<bool>& due, ResultsWriter& results) {

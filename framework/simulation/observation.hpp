@@ -32,6 +32,10 @@ class MESOGEN_EXPORT Observation {
   /// Which readers (the observers, then the output) read at the end of the step from `from` to `to`; all if it is the
   /// last one.
   [[nodiscard]] std::vector<bool> due(double from, double to, std::int64_t steps, bool last) const;
+  /// Lets the observers follow that asked for it; after a step.
+  void follow();
+  /// What observer n records now.
+  [[nodiscard]] Sample sample(std::size_t n);
   using TakeSample = std::function<void(const std::string& observer, const Sample& sample)>;
   /// After a step: observers that follow, and those that are due.
   void sample(const std::vector<bool>& due, const TakeSample& take);

@@ -18,8 +18,13 @@ namespace {
 /// One case being set up: the steps in order, each leaving its problems.
 class SetupBuilder {
  public:
-  SetupBuilder(Setup& setup, const PluginRegistry& registry, Problems& problems)
-      : setup_(setup), source_(setup.source), registry_(registry), problems_(problems), resolved_(setup.source) {}
+  SetupBuilder(Setup& setup, const PluginRegistry& registry, Problems& problems, const SetupAdditions& additions)
+      : setup_(setup),
+        source_(setup.source),
+        registry_(registry),
+        problems_(problems),
+        additions_(additions),
+        resolved_(setup.source) {}
 
   void make_plugins();
   void choose_kernel();
@@ -41,6 +46,7 @@ class SetupBuilder {
   const Case& source_;
   const PluginRegistry& registry_;
   Problems& problems_;
+  const SetupAdditions& additions_;
   ResolvedCase resolved_;
   bool refused_ = false;
 };
@@ -156,11 +162,18 @@ void SetupBuilder::describe_scene() {
     for (std::size_t i = 0; i < velocity[0].size(); ++i)
       scene.scales.speed = std::max(scene.scales.speed, std::hypot(velocity[0][i], velocity[1][i]));
   }
+  if (additions_.scene) additions_.scene(scene);
   for (std::size_t n = 0; n < setup_.physics.size(); ++n)
     attempt(source_.physics[n], [&] {
       const auto& member = setup_.physics[n];
       call_plugin(member.type, "prepare()", [&] { member.plugin->prepare(scene); });
-      call_plugin(member.type, "step_limits()", [&] { member.plugin->step_limits(scene, setup_.limits); });
+      call_plugin(member.type, "step_limits()", [&] {
+        member.plugin->step_limits(scene, setup_.limits);
+        for (const auto& limit : setup_.limits.all())
+          if (!(limit.seconds > 0.0))
+            throw Error(ExitCode::plugin_refused, "the limit on the step \"" + limit.name + "\" is " +
+                                                      rounded_text(limit.seconds) + " s: it must be above 0");
+      });
     });
 }
 
@@ -182,7 +195,9 @@ void SetupBuilder::collect_fields() {
   if (source_.director.given) initial("order_tensor", Rank::order_tensor, "1", "director");
   if (source_.velocity.given) initial("velocity", Rank::vector, "m/s", "velocity");
   if (source_.colour.given) initial("colour", Rank::scalar, "1", "colour");
-  if (setup_.catalogue.exists("order_tensor") && !source_.director.given)
+  if (additions_.fields) additions_.fields(setup_);
+  const auto* const order_tensor = setup_.catalogue.find("order_tensor");
+  if (order_tensor != nullptr && !order_tensor->initial)
     problems_.add({source_.file, 0, 0}, "director",
                   "this scene has an order tensor: say how it starts, such as [director] with type = \"perturbed\"");
 }
@@ -228,6 +243,7 @@ void SetupBuilder::put_together() {
   if (!sound) return;
   plan_observers();
   if (!problems_.empty()) return;
+  if (additions_.readers) additions_.readers(setup_);
   std::vector<StepGraph::Member> members;
   for (const auto& member : setup_.physics) members.push_back({member.instance, &member.passes, member.type});
   std::vector<Reader> readers;
@@ -239,9 +255,10 @@ void SetupBuilder::put_together() {
 
 }  // namespace
 
-std::unique_ptr<Setup> set_up(Case source, const PluginRegistry& registry, Problems& problems) {
+std::unique_ptr<Setup> set_up(Case source, const PluginRegistry& registry, Problems& problems,
+                              const SetupAdditions& additions) {
   auto setup = std::make_unique<Setup>(std::move(source));
-  SetupBuilder builder(*setup, registry, problems);
+  SetupBuilder builder(*setup, registry, problems, additions);
   builder.make_plugins();
   builder.choose_kernel();
   try {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -51,8 +52,17 @@ struct MESOGEN_EXPORT Setup {
   std::string instruction_sets;
 };
 
+/// What a test of a plugin puts into a scene beside its case, so that one plugin can be run without those it works
+/// with.
+struct SetupAdditions {
+  std::function<void(Scene& scene)> scene;    ///< what others would publish; before plugins prepare
+  std::function<void(Setup& setup)> fields;   ///< after the plugins named their fields
+  std::function<void(Setup& setup)> readers;  ///< after the observers were planned; before the step is ordered
+};
+
 /// Makes the plugins of a case, reads their parameters and orders the step. Throws an Error with all problems of the
 /// case at once: bad_case, or plugin_refused if a plugin that it needs was refused.
-MESOGEN_EXPORT std::unique_ptr<Setup> set_up(Case source, const PluginRegistry& registry, Problems& problems);
+MESOGEN_EXPORT std::unique_ptr<Setup> set_up(Case source, const PluginRegistry& registry, Problems& problems,
+                                             const SetupAdditions& additions = {});
 
 }  // namespace mesogen

@@ -9,7 +9,7 @@ MESOGEN = os.environ["MESOGEN"]
 BROKEN_PLUGINS = os.environ["BROKEN_PLUGINS"]
 PROJECT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 VERBS = [["run"], ["resume"], ["replay"], ["check"], ["graph"], ["plugin"], ["plugin", "list"], ["plugin", "info"],
-         ["field"], ["field", "list"], ["schema"], ["reference"], ["report"]]
+         ["plugin", "new"], ["plugin", "check"], ["field"], ["field", "list"], ["schema"], ["reference"], ["report"]]
 
 CASE = """\
 title = "A small nematic"

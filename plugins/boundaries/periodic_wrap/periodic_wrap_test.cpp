@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "boundary_checks.hpp"
+#include "mesogen/testing/plugin_harness.hpp"
 #include "test_plugins.hpp"
 
 namespace {
@@ -18,6 +19,17 @@ TEST(PeriodicWrap, WrapsTheGridAndMakesNoCopies) {
   EXPECT_TRUE(boundary->wraps(1));
   EXPECT_TRUE(copies.source.empty());
   EXPECT_TRUE(copies.offset.empty());
+}
+
+TEST(PeriodicWrap, FindsTheNeighboursThatCopiesGive) {
+  const auto sums = [](const char* boundary) {
+    mesogen::testing::PluginHarness harness(PluginKind::boundary, boundary);
+    harness.give("velocity");
+    return harness.values("velocity_laplacian", 1);
+  };
+  const auto wrapped = sums("periodic_wrap");
+  const auto copied = sums("periodic_ghosts");
+  for (std::size_t i = 0; i < wrapped.size(); ++i) EXPECT_NEAR(wrapped[i], copied[i], 1e-9) << "particle " << i;
 }
 
 TEST(PeriodicWrap, LeavesThirdAxisAloneInTwoDimensions) {

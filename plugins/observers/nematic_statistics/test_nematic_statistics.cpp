@@ -1,58 +1,58 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
 #include <numbers>
+#include <string>
 
-#include "fake_observer_context.hpp"
 #include "mesogen/diagnostics/error.hpp"
+#include "mesogen/testing/plugin_harness.hpp"
 
-namespace mesogen::test {
+namespace mesogen::testing {
 namespace {
 
 constexpr double pi = std::numbers::pi;
 constexpr double length = 3.0;
 constexpr double k = 2.0 * pi / length;
-constexpr double area = length * length;
 constexpr double bulk_a = -0.7;
 constexpr double bulk_c = 0.4;
 constexpr double elastic_constant = 0.02;
 
-using Function = FakeObserverContext::Function;
+using Function = PluginHarness::Function;
+using Constants = std::map<std::string, double>;
 
-void set_director(FakeObserverContext& context, const Function& order, const Function& angle) {
+const Constants nematic{{"bulk_A", bulk_a}, {"bulk_C", bulk_c}, {"elastic_constant", elastic_constant}};
+
+void set_director(PluginHarness& context, const Function& order, const Function& angle) {
   context.set("order_tensor", {[=](double x, double y) { return order(x, y) * std::cos(2.0 * angle(x, y)); },
                                [=](double x, double y) { return order(x, y) * std::sin(2.0 * angle(x, y)); }});
 }
 
-FakeObserverContext uniform(double order, double angle) {
-  FakeObserverContext context(30, 30, length, length);
-  const auto zero = [](double, double) { return 0.0; };
+PluginHarness uniform(double order, double angle, const Constants& constants = nematic) {
+  TestScene scene;
+  scene.length = length;
+  scene.across = 30;
+  scene.arrangement = "lattice";
+  scene.constants = constants;
+  PluginHarness context(PluginKind::observer, "nematic_statistics", "", scene);
   set_director(
       context, [=](double, double) { return order; }, [=](double, double) { return angle; });
-  context.set("order_tensor_gradient", {zero, zero, zero, zero});
-  context.set_constant("bulk_A", bulk_a);
-  context.set_constant("bulk_C", bulk_c);
-  context.set_constant("elastic_constant", elastic_constant);
+  context.set("order_tensor_gradient", {0.0, 0.0, 0.0, 0.0});
   return context;
 }
 
-ObserverUnderTest started(const FakeObserverContext& context) {
-  ObserverUnderTest observer("nematic_statistics");
-  observer.start(context);
-  return observer;
-}
+/// Of the box as the particles fill it: the sum of their volumes, all the same on a lattice.
+double area_of(PluginHarness& context) { return 900.0 * context.value("volume"); }
 
-double value(const FakeObserverContext& context, const std::string& quantity) {
-  return started(context).number(context, quantity);
-}
+double value(PluginHarness& context, const std::string& quantity) { return context.sample().at(quantity).at(0); }
 
 TEST(NematicStatistics, UniformNematic) {
-  const auto context = uniform(0.8, 0.6);
-  const auto values = started(context).sample(context);
+  auto context = uniform(0.8, 0.6);
+  const auto values = context.sample();
   EXPECT_NEAR(values.at("mean_order")[0], 0.8, 1e-15);
   EXPECT_NEAR(values.at("minimum_order")[0], 0.8, 1e-15);
   EXPECT_NEAR(values.at("mean_director_angle")[0], 0.6, 1e-15);
-  EXPECT_NEAR(values.at("free_energy")[0], area * (bulk_a * 0.64 + bulk_c * 0.64 * 0.64), 1e-14);
+  EXPECT_NEAR(values.at("free_energy")[0], area_of(context) * (bulk_a * 0.64 + bulk_c * 0.64 * 0.64), 1e-14);
 }
 
 TEST(NematicStatistics, MeanOrderIsNotTheOrderOfTheMean) {
@@ -74,9 +74,9 @@ TEST(NematicStatistics, MeanDirectorIsThatOfTheMeanTensor) {
 
 TEST(NematicStatistics, MeanDirectorAngleIsAboveMinusHalfPi) {
   auto context = uniform(1.0, 0.0);
-  context.set("order_tensor", {[](double, double) { return -1.0; }, [](double, double) { return -1e-30; }});
+  context.set("order_tensor", {-1.0, -1e-30});
   EXPECT_DOUBLE_EQ(value(context, "mean_director_angle"), pi / 2);
-  EXPECT_NEAR(value(uniform(1.0, -1.5), "mean_director_angle"), -1.5, 1e-14);
+  EXPECT_NEAR(uniform(1.0, -1.5).sample().at("mean_director_angle")[0], -1.5, 1e-14);
 }
 
 TEST(NematicStatistics, ElasticEnergyOfATwist) {
@@ -87,7 +87,8 @@ TEST(NematicStatistics, ElasticEnergyOfATwist) {
   context.set("order_tensor_gradient", {zero, [](double, double y) { return -k * std::sin(2.0 * k * y); }, zero,
                                         [](double, double y) { return k * std::cos(2.0 * k * y); }});
   const double bulk = bulk_a * 0.25 + bulk_c * 0.0625;
-  EXPECT_NEAR(value(context, "free_energy"), area * (bulk + elastic_constant * k * k), 1e-13);  // 4 K k^2 q^2
+  EXPECT_NEAR(value(context, "free_energy"), area_of(context) * (bulk + elastic_constant * k * k),
+              1e-13);  // 4 K k^2 q^2
 }
 
 /// Q11 = a cos kx + e cos ky, Q12 = b sin kx cos 2ky, with its gradient and Laplacian.
@@ -115,6 +116,8 @@ struct Modes {
 TEST(NematicStatistics, VariationOfTheFreeEnergyIsTheMolecularField) {
   const Modes modes{0.6, 0.8, -0.3};
   // H = -A Q - C Q Tr Q^2 + K lap Q, and dF = -integral of Tr(H dQ) = -2 integral of (H11 dQ11 + H12 dQ12).
+  auto context = uniform(1.0, 0.0);
+  const double area = area_of(context);
   double by_a = 0.0;
   double by_b = 0.0;
   constexpr int n = 64;
@@ -143,8 +146,7 @@ TEST(NematicStatistics, VariationOfTheFreeEnergyIsTheMolecularField) {
 }
 
 TEST(NematicStatistics, FreeEnergyIsUnknownWithoutConstants) {
-  auto context = uniform(1.0, 0.0);
-  context.set_constant("elastic_constant", std::nan(""));
+  auto context = uniform(1.0, 0.0, {{"bulk_A", bulk_a}, {"bulk_C", bulk_c}});
   EXPECT_TRUE(std::isnan(value(context, "free_energy")));
   EXPECT_NEAR(value(context, "mean_order"), 1.0, 1e-15);
 }
@@ -154,17 +156,18 @@ TEST(NematicStatistics, OrderOfStorageDoesNotMatter) {
   set_director(
       context, [](double x, double y) { return 0.5 + 0.1 * std::sin(3 * x + y); },
       [](double x, double y) { return x * y; });
-  const auto before = started(context).sample(context);
-  context.store_anew(8);
-  EXPECT_EQ(started(context).sample(context), before);
+  const auto before = context.sample();
+  context.shuffle(8);
+  EXPECT_EQ(context.sample(), before);
 }
 
 TEST(NematicStatistics, RefusesThreeDimensions) {
   Scene scene;
   scene.dimension = 3;
-  ObserverUnderTest observer("nematic_statistics");
+  ObserverPlan plan;
+  auto context = uniform(1.0, 0.0);
   try {
-    observer.plan(scene);
+    context.observer().plan(scene, plan);
     FAIL();
   } catch (const Error& error) {
     EXPECT_STREQ(error.what(), "nematic_statistics: knows the order tensor of two dimensions only");
@@ -173,4 +176,4 @@ TEST(NematicStatistics, RefusesThreeDimensions) {
 }
 
 }  // namespace
-}  // namespace mesogen::test
+}  // namespace mesogen::testing

@@ -1,0 +1,36 @@
+// The mean speed <|u|> of the particles.
+
+#include <cmath>
+
+#include "mesogen/exec/compensated_sum.hpp"
+#include "mesogen/plugin/by_id.hpp"
+#include "mesogen/plugin/observer.hpp"
+#include "mesogen/plugin/plugin.hpp"
+
+namespace {
+
+using namespace mesogen;
+
+class TemplateName final : public Observer {
+ public:
+  // What it reads and what it records; keys of its section in a case would be named in parameters(), as in a physics
+  // plugin.
+  void plan(const Scene&, ObserverPlan& plan) override {
+    plan.reads("velocity");
+    plan.scalar("mean_speed").unit("m/s").doc("mean of |u|");
+  }
+
+  // Summed by particle id, because the order of storage changes during a run: so the sum always has the same bits.
+  void sample(const ObserverContext& context, Sample& sample) override {
+    const ById particles(context);
+    const auto u = particles.values("velocity", 0);
+    const auto v = particles.values("velocity", 1);
+    exec::CompensatedSum sum;
+    for (std::size_t i = 0; i < u.size(); ++i) sum.add(std::hypot(u[i], v[i]));
+    sample.set("mean_speed", sum.value() / static_cast<double>(u.size()));
+  }
+};
+
+}  // namespace
+
+MESOGEN_OBSERVER_PLUGIN(TemplateName, "template_name", "1.0.0", "Mean speed of the particles")

@@ -1,0 +1,42 @@
+// A uniform force F on the fluid along x, such as that of a pressure gradient: Du/Dt = ... + F / rho.
+
+#include "mesogen/plugin/physics.hpp"
+#include "mesogen/plugin/plugin.hpp"
+
+namespace {
+
+using namespace mesogen;
+
+/// What is done at particle i, on host and device.
+template <class Real>
+struct AddForce {
+  FieldView<const Real> density;
+  FieldView<Real> acceleration;
+  Real force;
+
+  MESOGEN_HOST_DEVICE void operator()(Index i) const { acceleration(0, i) += force / density(i); }
+};
+
+template <class Real, int Dim>
+class TemplateName final : public Physics {
+ public:
+  // Keys of its section in a case, checked before a run: unit, range, and a default or required().
+  void parameters(ParameterList& list) override {
+    list.number("force", force_).unit("N/m3").required().doc("F: force per volume along x");
+  }
+
+  // All fields that the pass touches. More of them: `mesogen plugin info wcsph`, and X_gradient, X_laplacian of each X.
+  void passes(PassList& list) override {
+    list.pass("template_name").reads({"density"}).accumulates({"acceleration"}).run([this](const PassContext& context) {
+      exec::for_each(context.space(), context.count(),
+                     AddForce<Real>{context.read<Real>("density"), context.write<Real>("acceleration"), Real(force_)});
+    });
+  }
+
+ private:
+  double force_ = 0.0;
+};
+
+}  // namespace
+
+MESOGEN_PHYSICS_PLUGIN(TemplateName, "template_name", "1.0.0", "Uniform force on the fluid along x")

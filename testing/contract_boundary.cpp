@@ -1,0 +1,152 @@
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+
+#include "contract_run.hpp"
+#include "mesogen/diagnostics/error.hpp"
+
+namespace mesogen::testing {
+
+namespace {
+
+TestScene lattice() {
+  TestScene scene;
+  scene.arrangement = "lattice";
+  return scene;
+}
+
+std::string inside_problem(const Boundary& boundary, const Scene& scene) {
+  for (int axis = 0; axis < scene.dimension; ++axis) {
+    const double length = scene.box[static_cast<std::size_t>(axis)];
+    for (const double from :
+         {0.0, 0.5 * length, std::nextafter(length, 0.0), length, std::nextafter(length, 2 * length), -1e-18,
+          -0.25 * length, 1.25 * length, -3.0 * length, 7.0 * length}) {
+      // A step carries no particle far through a wall; the run is over before.
+      if (!boundary.periodic(axis) && std::abs(from - 0.5 * length) > length) continue;
+      std::array<double, 3> position{0.1 * length, 0.1 * length, 0.0};
+      std::array<std::int32_t, 3> images{};
+      const auto at = static_cast<std::size_t>(axis);
+      position[at] = from;
+      boundary.keep_inside(scene, position.data(), images.data());
+      const std::string came = fmt::format("keep_inside brings the coordinate {} m to {} m", from, position[at]);
+      if (from >= 0.0 && from < length && (position[at] != from || images[at] != 0))
+        return came + ": a particle inside the box must stay where it is";
+      if (!(position[at] >= 0.0 && position[at] <= length)) return fmt::format("{}, outside of [0, {}]", came, length);
+      if (boundary.periodic(axis) && std::abs(position[at] + images[at] * length - from) > 1e-12 * length)
+        return fmt::format("{} and counts {} boxes: position + images * box must stay the same", came, images[at]);
+      const auto once = position;
+      const auto crossed = images;
+      boundary.keep_inside(scene, position.data(), images.data());
+      if (position != once || images != crossed) return came + ", and somewhere else when it is called again";
+    }
+  }
+  return {};
+}
+
+std::string copies_problem(const Boundary& boundary, const Scene& scene, PluginHarness& harness) {
+  const auto x = harness.position(0);
+  const auto y = harness.position(1);
+  const std::array<const double*, 3> position{x.data(), y.data(), nullptr};
+  Copies copies;
+  boundary.copies(scene, position.data(), static_cast<Index>(x.size()), scene.support, copies);
+  if (copies.source.size() != copies.offset.size())
+    return fmt::format("{} sources, but {} offsets", copies.source.size(), copies.offset.size());
+  for (std::size_t n = 0; n < copies.source.size(); ++n) {
+    const auto source = static_cast<std::size_t>(copies.source[n]);
+    if (source >= x.size()) return fmt::format("copy {} is of particle {}, which there is not", n, copies.source[n]);
+    const double at_x = x[source] + copies.offset[n][0];
+    const double at_y = y[source] + copies.offset[n][1];
+    if (at_x >= 0.0 && at_x < scene.box[0] && at_y >= 0.0 && at_y < scene.box[1])
+      return fmt::format("a copy of particle {} lies inside the box, at ({}, {}) m", copies.source[n], at_x, at_y);
+  }
+  return {};
+}
+
+std::string dummies_problem(const Boundary& boundary, const Scene& scene) {
+  Dummies dummies;
+  boundary.dummies(scene, scene.support, dummies);
+  if (dummies.position.size() != dummies.mirror.size())
+    return fmt::format("{} dummies, but {} mirror points", dummies.position.size(), dummies.mirror.size());
+  const auto inside = [&](const std::array<double, 3>& point) {
+    return point[0] >= 0.0 && point[0] <= scene.box[0] && point[1] >= 0.0 && point[1] <= scene.box[1];
+  };
+  for (std::size_t n = 0; n < dummies.position.size(); ++n) {
+    const auto& at = dummies.position[n];
+    const auto& mirror = dummies.mirror[n];
+    if (inside(at)) return fmt::format("dummy {} lies inside the box, at ({}, {}) m", n, at[0], at[1]);
+    if (!inside(mirror))
+      return fmt::format("the mirror point of dummy {} lies outside the box, at ({}, {}) m", n, mirror[0], mirror[1]);
+  }
+  return {};
+}
+
+/// No particle sees from its sums that the box ends: a face where something is missing, or there twice, shows.
+std::string faces_problem(PluginHarness& harness, const Scene& scene) {
+  const auto x = harness.position(0);
+  const auto y = harness.position(1);
+  const auto where = [&](std::size_t id) { return fmt::format("at ({:.4g}, {:.4g}) m", x[id], y[id]); };
+  const auto volume = harness.values("volume");
+  const std::size_t middle = volume.size() / 2 + static_cast<std::size_t>(std::sqrt(volume.size())) / 2;
+  for (std::size_t id = 0; id < volume.size(); ++id)
+    if (!(std::abs(volume[id] / volume[middle] - 1.0) < 1e-5))
+      return fmt::format(
+          "on a lattice the volume of a particle is {:.7g} m2 {}, and {:.7g} m2 in the middle: neighbours "
+          "beyond the faces are missing or are there twice",
+          volume[id], where(id), volume[middle]);
+  for (int c = 0; c < scene.dimension; ++c) {
+    const auto gradient = harness.values("constant_gradient", c);
+    for (std::size_t id = 0; id < gradient.size(); ++id)
+      if (!(std::abs(gradient[id]) * scene.spacing < 1e-6))
+        return fmt::format(
+            "a field that is 1 everywhere has the gradient {:.4g} 1/m {}: refresh or extend gives "
+            "something else beyond the faces",
+            gradient[id], where(id));
+  }
+  return {};
+}
+
+}  // namespace
+
+void check_boundary(ContractRun& run) {
+  run.check("particles are kept inside, their paths unbroken", [&] {
+    PluginHarness harness = run.harness();
+    return inside_problem(harness.boundary(), harness.scene());
+  });
+  run.check("what lies beyond the faces lies beyond the faces", [&] {
+    PluginHarness harness = run.harness(lattice());
+    const Scene scene = harness.scene();
+    const std::string problem = copies_problem(harness.boundary(), scene, harness);
+    return problem.empty() ? dummies_problem(harness.boundary(), scene) : problem;
+  });
+  run.check("sums over neighbours see no face on a lattice", [&]() -> std::string {
+    for (const Precision precision : {Precision::double_precision, Precision::single_precision}) {
+      TestScene scene = lattice();
+      scene.precision = precision;
+      PluginHarness harness = run.harness(scene);
+      harness.set("constant", {1.0});
+      const std::string problem = faces_problem(harness, harness.scene());
+      if (!problem.empty()) return problem;
+    }
+    return {};
+  });
+  const auto sums = [&](int threads) {
+    return with_threads(threads, [&] {
+      PluginHarness harness = run.harness();
+      harness.give("velocity");
+      Numbers numbers;
+      for (int c = 0; c < harness.components("velocity_gradient"); ++c)
+        numbers[fmt::format("velocity_gradient {}", c)] = harness.values("velocity_gradient", c);
+      return numbers;
+    });
+  };
+  run.check("the same input gives the same bits, again and with 3 threads", [&]() -> std::string {
+    const Numbers first = sums(1);
+    std::string problem = difference(first, sums(1));
+    if (!problem.empty()) return problem + ": something is left over from another run, or not set before it is read";
+    problem = difference(first, sums(3));
+    return problem.empty() ? "" : problem + " (with 3 threads): let the order of the copies not depend on threads";
+  });
+}
+
+}  // namespace mesogen::testing

@@ -1,0 +1,194 @@
+#include "contract_run.hpp"
+
+#include <fmt/format.h>
+#include <omp.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <regex>
+
+#include "test_registry.hpp"
+
+namespace mesogen::testing {
+
+namespace {
+
+/// A value of a required parameter that is in its range, as TOML; see ContractSettings.
+std::string value_in_range(const Parameter& parameter) {
+  double number = 1.0;
+  const bool low = std::isfinite(parameter.lowest);
+  const bool high = std::isfinite(parameter.highest);
+  if (low && high) number = 0.5 * (parameter.lowest + parameter.highest);
+  if (low && !high) number = parameter.lowest + 1.0;
+  if (high && !low) number = parameter.highest - 1.0;
+  const std::string floating = fmt::format("{:.17g}", number);
+  const std::string text = parameter.choice_list.empty() ? "\"text\"" : '"' + parameter.choice_list.front() + '"';
+  const std::size_t size =
+      parameter.size_list.empty() ? 1 : *std::min_element(parameter.size_list.begin(), parameter.size_list.end());
+  std::string list;
+  for (std::size_t n = 0; n < size; ++n) list += (n > 0 ? ", " : "") + floating;
+  const std::string type = parameter.type_text();
+  if (type == "integer") return fmt::format("{:.0f}", std::ceil(number));
+  if (type == "true or false") return "false";
+  if (type == "text") return text;
+  if (type == "list of texts") return "[" + text + "]";
+  if (type.starts_with("list of lists")) return "[[" + list + "]]";
+  if (type.starts_with("list")) return "[" + list + "]";
+  return floating.find_first_of(".e") == std::string::npos ? floating + ".0" : floating;
+}
+
+bool is_text(const Parameter& parameter) {
+  return parameter.type_text() == "text" || (!parameter.word.empty() && parameter.type_text().starts_with("number"));
+}
+
+ParameterList parameters_of(PluginKind kind, const std::string& name, const PluginRegistry& registry,
+                            std::shared_ptr<void>& owner) {
+  ParameterList list;
+  const auto take = [&](auto plugin) {
+    plugin->parameters(list);
+    owner = std::shared_ptr<void>(std::move(plugin));
+  };
+  switch (kind) {
+    case PluginKind::kernel: take(registry.make_kernel(name)); break;
+    case PluginKind::boundary: take(registry.make_boundary(name)); break;
+    case PluginKind::physics: take(registry.make_physics(name, Precision::double_precision, 2)); break;
+    case PluginKind::observer: take(registry.make_observer(name)); break;
+  }
+  return list;
+}
+
+}  // namespace
+
+ContractRun::ContractRun(PluginKind kind, std::string name, const ContractSettings& settings)
+    : kind_(kind), name_(std::move(name)), settings_(settings), registry_(registry_of(settings.folders)) {
+  if (registry_.find(kind_, name_) == nullptr) throw registry_.missing(kind_, name_);
+  std::shared_ptr<void> owner;
+  const ParameterList list = parameters_of(kind_, name_, registry_, owner);
+  for (const Parameter& parameter : list.all())
+    if (parameter.is_required && !settings.values.contains(parameter.name))
+      keys_ += fmt::format("{} = {}\n", parameter.name, value_in_range(parameter));
+  for (const auto& [key, value] : settings.values) {
+    const auto known = std::ranges::find(list.all(), key, &Parameter::name);
+    const bool quote = known != list.all().end() && is_text(*known) && !value.starts_with('"') &&
+                       value.find_first_not_of("+-.0123456789e") != std::string::npos;
+    keys_ += fmt::format("{} = {}\n", key, quote ? '"' + value + '"' : value);
+  }
+}
+
+void ContractRun::check(const std::string& what, const std::function<std::string()>& action) {
+  std::string problem;
+  try {
+    problem = action();
+  } catch (const std::exception& error) {
+    problem = error.what();
+  }
+  checks_.push_back({what, problem.empty() ? ContractCheck::Outcome::held : ContractCheck::Outcome::broken, problem});
+}
+
+void ContractRun::note(const std::string& text) { checks_.push_back({text, ContractCheck::Outcome::note, {}}); }
+
+PluginHarness ContractRun::harness(TestScene scene) const {
+  scene.constants.insert(settings_.constants.begin(), settings_.constants.end());
+  return {kind_, name_, keys_, scene, settings_.folders};
+}
+
+void ContractRun::check_descriptor() {
+  check("its descriptor has a version and a summary", [this]() -> std::string {
+    const auto& descriptor = *registry_.find(kind_, name_)->descriptor;
+    if (!std::regex_match(descriptor.version, std::regex(R"(\d+\.\d+\.\d+)")))
+      return fmt::format("its version is \"{}\": make it three numbers, such as 1.0.0", descriptor.version);
+    if (*descriptor.summary == '\0') return "its summary is empty: say in a few words what it does";
+    return {};
+  });
+}
+
+void ContractRun::check_parameters(const ParameterList& list) {
+  check("every parameter has a unit and a doc text, and no name twice", [&]() -> std::string {
+    std::vector<std::string> names;
+    for (const Parameter& parameter : list.all()) {
+      if (std::ranges::find(names, parameter.name) != names.end())
+        return fmt::format("'{}' is declared twice", parameter.name);
+      names.push_back(parameter.name);
+      if (parameter.doc_text.empty()) return fmt::format("'{0}' has no doc text: add .doc(\"...\")", parameter.name);
+      if (parameter.unit_text.empty())
+        return fmt::format("'{}' has an empty unit: leave .unit() out for a plain number", parameter.name);
+    }
+    return {};
+  });
+  check("every default is a value that a case may give", [&]() -> std::string {
+    // The case reader itself judges: every default written out, one at a time, so that it names the one that is wrong.
+    for (const Parameter& parameter : list.all()) {
+      const std::string value = parameter.value_text();
+      if (parameter.is_required || value.empty() || settings_.values.contains(parameter.name)) continue;
+      TestScene scene;
+      scene.constants = settings_.constants;
+      PluginHarness written(kind_, name_, keys_ + fmt::format("{} = {}\n", parameter.name, value), scene,
+                            settings_.folders);
+      (void)written.scene();
+    }
+    return {};
+  });
+}
+
+std::vector<ContractCheck> check_contract(PluginKind kind, std::string_view name, const ContractSettings& settings) {
+  ContractRun run(kind, std::string(name), settings);
+  run.check_descriptor();
+  std::shared_ptr<void> owner;
+  run.check_parameters(parameters_of(kind, run.name(), run.registry(), owner));
+  switch (kind) {
+    case PluginKind::kernel: check_kernel(run); break;
+    case PluginKind::boundary: check_boundary(run); break;
+    case PluginKind::physics: check_physics(run); break;
+    case PluginKind::observer: check_observer(run); break;
+  }
+  return run.checks();
+}
+
+Numbers with_threads(int threads, const std::function<Numbers()>& action) {
+  const int before = omp_get_max_threads();
+  omp_set_num_threads(threads);
+  Numbers numbers;
+  try {
+    numbers = action();
+  } catch (...) {
+    omp_set_num_threads(before);
+    throw;
+  }
+  omp_set_num_threads(before);
+  return numbers;
+}
+
+namespace {
+
+std::string compare(const Numbers& one, const Numbers& other,
+                    const std::function<bool(double a, double b, double largest)>& same) {
+  for (const auto& [name, values] : one) {
+    const auto& others = other.at(name);
+    if (values.size() != others.size())
+      return fmt::format("'{}' has {} numbers, and {} the other time", name, values.size(), others.size());
+    double largest = 0.0;
+    for (const double value : values)
+      if (std::isfinite(value)) largest = std::max(largest, std::abs(value));
+    for (std::size_t i = 0; i < values.size(); ++i)
+      if (!same(values[i], others[i], largest))
+        return fmt::format("'{}' of {} is {:.9g}, and {:.9g} the other time", name, i, values[i], others[i]);
+  }
+  return {};
+}
+
+}  // namespace
+
+std::string difference(const Numbers& one, const Numbers& other) {
+  return compare(one, other, [](double a, double b, double) {
+    return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b) || (std::isnan(a) && std::isnan(b));
+  });
+}
+
+std::string difference(const Numbers& one, const Numbers& other, double tolerance) {
+  return compare(one, other, [tolerance](double a, double b, double largest) {
+    return std::abs(a - b) <= tolerance * largest || (std::isnan(a) && std::isnan(b));
+  });
+}
+
+}  // namespace mesogen::testing

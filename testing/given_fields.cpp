@@ -1,0 +1,154 @@
+#include "given_fields.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+#include "schedule/derived_name.hpp"
+
+namespace mesogen::testing {
+
+namespace {
+
+constexpr const char* owner = "the test";
+
+bool contains(const std::vector<std::string>& list, const std::string& what) {
+  return std::ranges::find(list, what) != list.end();
+}
+
+bool anyone_makes(const Setup& setup, const std::string& field) {
+  return std::ranges::any_of(setup.physics, [&](const auto& member) {
+    return std::ranges::any_of(member.passes.passes(), [&](const Pass& pass) {
+      return contains(pass.write_list, field) || contains(pass.accumulate_list, field);
+    });
+  });
+}
+
+/// The field that somebody must bring so that `field` can be derived from it; itself if it is not derived.
+std::string root(const std::string& field) {
+  const DerivedName derived = derived_name(field);
+  if (derived.kind == DerivedName::Kind::none) return field;
+  return derived.source.empty() ? std::string() : root(derived.source);
+}
+
+Rank rank_of(int components) {
+  switch (components) {
+    case 1: return Rank::scalar;
+    case 2: return Rank::vector;
+    case 4: return Rank::matrix;
+    default: throw Error(ExitCode::bad_case, fmt::format("no field has {} components: 1, 2 or 4", components));
+  }
+}
+
+FieldDeclaration declaration(const std::string& name, Rank rank, const std::string& unit) {
+  FieldDeclaration field;
+  field.name = name;
+  field.rank = rank;
+  field.unit_text = unit;
+  field.doc_text = "given by the test";
+  return field;
+}
+
+}  // namespace
+
+SetupAdditions SceneCompletion::additions() {
+  SetupAdditions all;
+  all.scene = [this](Scene& scene) {
+    for (const auto& [name, value] : constants_) scene.constants.emplace(name, value);
+  };
+  all.fields = [this](Setup& setup) {
+    add_given(setup);
+    add_missing(setup);
+  };
+  all.readers = [this](Setup& setup) {
+    for (const auto& member : setup.observers)
+      for (const std::string& field : member.plan.read_list())
+        add_missing(setup, field, false, "observers." + member.instance);
+    keep_all(setup);
+  };
+  return all;
+}
+
+// A field that a plugin makes keeps its declaration: the test only says with what it starts.
+void SceneCompletion::add_given(Setup& setup) const {
+  for (const auto& [name, given] : given_) {
+    if (given.value && root(name).empty())
+      throw Error(ExitCode::bad_case,
+                  fmt::format("the field '{}' follows from the positions of the particles: it cannot be given", name));
+    if (setup.catalogue.find(name) != nullptr) continue;
+    FieldDeclaration field = known(given.value ? name : root(name));
+    if (field.name.empty() && !given.value) continue;
+    if (given.value && (field.name.empty() || component_count(field.rank, 2) != given.components))
+      field = declaration(name, rank_of(given.components), "1");
+    if (setup.catalogue.find(field.name) != nullptr) continue;
+    if (anyone_makes(setup, field.name)) {
+      setup.catalogue.add(field, owner);
+    } else {
+      setup.catalogue.add_initial(field, owner);
+    }
+  }
+}
+
+void SceneCompletion::add_missing(Setup& setup) const {
+  for (const auto& member : setup.physics)
+    for (const Pass& pass : member.passes.passes()) {
+      const std::string by = member.instance + ": " + pass.name;
+      for (const auto* const list : {&pass.own_reads, &pass.neighbour_reads})
+        for (const std::string& field : *list) add_missing(setup, field, false, by);
+      for (const std::string& field : pass.accumulate_list) add_missing(setup, field, true, by);
+    }
+  // The order tensor starts as [director] says; here it is a field like others.
+  const auto* const entry = setup.catalogue.find("order_tensor");
+  if (entry != nullptr && !anyone_makes(setup, "order_tensor"))
+    setup.catalogue.add_initial(FieldDeclaration(entry->declaration), owner);
+}
+
+void SceneCompletion::add_missing(Setup& setup, const std::string& wanted, bool written, const std::string& by) const {
+  if (setup.catalogue.exists(wanted)) return;
+  const std::string field = root(wanted);
+  if (field.empty() || setup.catalogue.exists(field)) return;
+  const FieldDeclaration found = known(field);
+  if (found.name.empty())
+    throw Error(
+        ExitCode::bad_case,
+        fmt::format("'{}' {} '{}', which no plugin that can be found introduces: give it with set(\"{}\", ...), "
+                    "or spell it right",
+                    by, written ? "adds to" : "reads", wanted, field));
+  if (written || anyone_makes(setup, field)) {
+    setup.catalogue.add(found, owner);
+  } else {
+    setup.catalogue.add_initial(found, owner);
+  }
+}
+
+void SceneCompletion::keep_all(Setup& setup) {
+  std::set<std::string> kept{"volume", "correction"};
+  for (const auto& [name, entry] : setup.catalogue.all()) {
+    const bool state = setup.catalogue.is_state(name);
+    if (!state && !anyone_makes(setup, name)) continue;
+    kept.insert(name);
+    if (state) kept.insert({name + "_gradient", name + "_laplacian"});
+  }
+  setup.output_fields.assign(kept.begin(), kept.end());
+}
+
+/// What the plugins that can be found say of a field; no name if none knows it.
+FieldDeclaration SceneCompletion::known(const std::string& field) const {
+  if (field == "order_tensor") return declaration(field, Rank::order_tensor, "1");
+  if (field == "velocity") return declaration(field, Rank::vector, "m/s");
+  if (field == "colour") return declaration(field, Rank::scalar, "1");
+  for (const auto& plugin : registry_.all()) {
+    if (plugin.descriptor->kind != PluginKind::physics) continue;
+    PassList list;
+    const auto physics = registry_.make_physics(plugin.descriptor->name, Precision::double_precision, 2);
+    ParameterList parameters;
+    physics->parameters(parameters);
+    physics->passes(list);
+    for (const FieldDeclaration& declared : list.fields())
+      if (declared.name == field) return declaration(field, declared.rank, declared.unit_text);
+  }
+  return {};
+}
+
+}  // namespace mesogen::testing

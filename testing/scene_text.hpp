@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "mesogen/testing/plugin_harness.hpp"
+
+namespace mesogen::testing {
+
+/// Name in the case of the plugin that a harness tests: [physics.tested], [observers.tested].
+inline constexpr std::string_view tested_instance = "tested";
+
+/// The case that puts this plugin into this scene.
+std::string scene_text(PluginKind kind, std::string_view name, std::string_view keys, const TestScene& scene);
+
+}  // namespace mesogen::testing

@@ -1,0 +1,100 @@
+#!/bin/bash
+# tests/out_of_tree.sh BUILD_FOLDER
+# What somebody does who writes a plugin of their own: from an installed Mesogen, in a folder outside this tree, a new
+# plugin of each kind is written, built, tested, found and used in a run; the examples too. Then the installation is
+# moved elsewhere and still finds its plugins.
+set -euo pipefail
+build=$(realpath -- "$1")
+source=$(dirname "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")")
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+unset MESOGEN_PLUGIN_PATH
+export CMAKE_GENERATOR=Ninja
+cd "$work"
+
+# Only what failed is worth reading.
+quietly() {
+  if ! "$@" >"$work/log" 2>&1; then
+    echo "failed: $*" >&2
+    cat "$work/log" >&2
+    exit 1
+  fi
+}
+
+# build_and_test FOLDER [PREFIX]: with nothing but what a user types.
+build_and_test() {
+  quietly cmake -S "$1" -B "$1/build" -DCMAKE_PREFIX_PATH="${2:-$prefix}"
+  quietly cmake --build "$1/build"
+  quietly ctest --test-dir "$1/build" --output-on-failure --no-tests=error
+}
+
+prefix=$work/mesogen
+quietly cmake --install "$build" --prefix "$prefix"
+mesogen=$prefix/bin/mesogen
+if grep -rlF -e "$build" -e "$source" "$prefix/lib/cmake"; then
+  echo "failed: these installed files name folders of the build" >&2
+  exit 1
+fi
+
+for kind in kernel boundary physics observer; do
+  quietly "$mesogen" plugin new $kind my_$kind "own/my_$kind"
+  build_and_test "own/my_$kind"
+  "$mesogen" plugin list --plugin-path "own/my_$kind/build/plugins" >list
+  grep -q "my_$kind " list || { echo "failed: my_$kind is not listed" >&2; exit 1; }
+done
+
+cat >case.toml <<'CASE'
+[domain]
+size = [1.0, 1.0]
+boundary = "my_boundary"
+[particles]
+spacing = 0.0625
+[kernel]
+type = "my_kernel"
+[physics.flow]
+type = "wcsph"
+density = 2.0
+viscosity = 0.1
+[physics.force]
+type = "my_physics"
+force = 0.6
+[observers.speed]
+type = "my_observer"
+every = 10
+[time]
+end = 0.1
+CASE
+export MESOGEN_PLUGIN_PATH=$work/own/my_kernel/build/plugins:$work/own/my_boundary/build/plugins
+MESOGEN_PLUGIN_PATH+=:$work/own/my_physics/build/plugins:$work/own/my_observer/build/plugins
+quietly "$mesogen" run case.toml --output results
+# The fluid starts at rest and nothing but the force acts on it: u = F t / rho.
+/usr/bin/python3 - <<'CHECK'
+import h5py
+with h5py.File("results/results.h5") as file:
+    speed = file["observables/speed/mean_speed/value"][-1]
+assert abs(speed - 0.6 * 0.1 / 2.0) < 1e-5, speed
+CHECK
+unset MESOGEN_PLUGIN_PATH
+
+# Installed without further words, a plugin lies where Mesogen finds it.
+quietly cmake --install own/my_physics/build
+"$mesogen" plugin info my_physics | grep -q "$prefix/lib/mesogen/plugins/my_physics.so" ||
+  { echo "failed: my_physics was installed, but is not found" >&2; exit 1; }
+
+for file in "$source"/examples/*/CMakeLists.txt; do
+  [ -e "$file" ] || continue
+  name=$(basename "$(dirname "$file")")
+  cp -r "$(dirname "$file")" "own/$name"
+  build_and_test "own/$name"
+done
+
+# Without an installation, the build folder does.
+rm -rf own/my_observer/build
+build_and_test own/my_observer "$build"
+
+mv "$prefix" "$work/elsewhere"
+"$work/elsewhere/bin/mesogen" plugin list >list
+grep -q "wcsph " list || { echo "failed: moved elsewhere, Mesogen finds no plugins" >&2; exit 1; }
+
+echo "a new force is $(grep -cvE '^[[:space:]]*(//.*)?$' own/my_physics/my_physics.cpp) lines of source without comments," \
+  "with its test and CMakeLists.txt $(cat own/my_physics/*.cpp own/my_physics/CMakeLists.txt | grep -cvE '^[[:space:]]*(//.*)?$')"

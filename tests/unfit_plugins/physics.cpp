@@ -1,0 +1,59 @@
+#include <omp.h>
+
+#include <limits>
+
+#include "mesogen/plugin/physics.hpp"
+#include "mesogen/plugin/plugin.hpp"
+
+namespace {
+
+using namespace mesogen;
+
+template <class Real, int Dim>
+class Unfit final : public Physics {
+ public:
+  void parameters(ParameterList& list) override {
+    list.text("fault", fault_)
+        .choices({"none", "undeclared_read", "undeclared_write", "optional", "not_finite", "leftover", "threads",
+                  "overflow", "limit", "nameless", "no_body", "no_doc", "twins", "idle"})
+        .doc("what is wrong");
+  }
+
+  void passes(PassList& list) override {
+    auto& field = list.field("unfit", Rank::scalar).unit("m");
+    if (fault_ != "no_doc") field.doc("made by the unfit plugin");
+    auto& pass = list.pass("work").reads({"density"}).reads_if_present({"colour"});
+    if (fault_ != "idle") pass.writes({"unfit"});
+    if (fault_ == "twins") list.pass("work").accumulates({"acceleration"}).run([](const PassContext&) {});
+    if (fault_ != "no_body") pass.run([this](const PassContext& context) { work(context); });
+  }
+
+  void step_limits(const Scene&, StepLimits& limits) const override {
+    limits.add(fault_ == "nameless" ? "" : "nothing", fault_ == "limit" ? -1.0 : 1.0);
+  }
+
+ private:
+  void work(const PassContext& context) {
+    if (fault_ == "undeclared_read") (void)context.read<Real>("velocity");
+    if (fault_ == "undeclared_write") (void)context.write<Real>("density");
+    if (fault_ == "optional" && context.has("colour")) (void)context.write<Real>("colour");
+    const auto density = context.read<Real>("density");
+    const auto unfit = context.write<Real>("unfit");
+    for (Index i = 0; i < context.count(); ++i) {
+      Real value = density(i);
+      if (fault_ == "not_finite" && context.id()[i] == 17) value = std::numeric_limits<Real>::quiet_NaN();
+      if (fault_ == "leftover") value += Real(runs_);
+      if (fault_ == "threads") value += Real(omp_get_max_threads());
+      if (fault_ == "overflow") value *= Real(1e30) * Real(1e30);
+      unfit(i) = value;
+    }
+    ++runs_;
+  }
+
+  std::string fault_ = "none";
+  static inline int runs_ = 0;
+};
+
+}  // namespace
+
+MESOGEN_PHYSICS_PLUGIN(Unfit, "unfit_physics", "1.0.0", "Wrong on purpose")
