@@ -113,7 +113,7 @@ class MESOGEN_EXPORT PluginHarness {
   [[nodiscard]] std::vector<std::string> fields();
   [[nodiscard]] int components(std::string_view field);
 
-  /// The tested plugin itself; throws if it is of another kind.
+  /// The tested plugin itself, until a field is set; throws if it is of another kind.
   [[nodiscard]] Kernel& kernel();
   [[nodiscard]] Boundary& boundary();
   [[nodiscard]] Physics& physics();
