@@ -1,6 +1,7 @@
 // Any bytes as a checkpoint: read or refused with a reason.
 //
-// The first byte chooses. Even: the rest is the file, seal and all. Odd: the rest are instructions by which an HDF5
+// The first byte chooses. 0, 3, ...: the rest is the file, seal and all. 1, 4, ...: the rest says how a sound
+// checkpoint is damaged; whatever is changed, it must be refused. 2, 5, ...: the rest are instructions by which an HDF5
 // file is made that is sound as such but need not be a checkpoint: objects missing, of other kinds, types, ranks and
 // sizes. Its seal is right, so all of it reaches the reader.
 //
@@ -116,12 +117,44 @@ void read(const std::vector<std::byte>& file) {
   }
 }
 
+Checkpoint sound_checkpoint() {
+  Checkpoint checkpoint;
+  checkpoint.step = 3;
+  checkpoint.case_text = "title = \"sound\"";
+  checkpoint.version = "1";
+  checkpoint.instruction_sets = "derivatives baseline";
+  checkpoint.numbers["position 0"] = {0.25, -0.0, 1e300};
+  checkpoint.integers["id"] = {2, 0, 1};
+  checkpoint.observers["paths"]["distance"] = {1.0};
+  return checkpoint;
+}
+
+/// Up to four places of a sound checkpoint changed, and perhaps its end cut off.
+void damage(Bytes& bytes) {
+  static const std::vector<std::byte> whole = output::encode_checkpoint(sound_checkpoint(), 7);
+  std::vector<std::byte> file = whole;
+  const auto number = [&] { return static_cast<std::size_t>(bytes.next()) * 256 + bytes.next(); };
+  for (int n = bytes.next() % 5; n > 0; --n) file[number() % file.size()] ^= static_cast<std::byte>(bytes.next());
+  if (bytes.next() % 4 == 0) file.resize(number() % (file.size() + 1));
+  try {
+    const Checkpoint read = output::decode_checkpoint(file);
+    if (file != whole || !(read == sound_checkpoint())) std::abort();
+  } catch (const output::DamagedCheckpoint&) {
+    if (file == whole) std::abort();
+  }
+}
+
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
   Bytes bytes(data, size);
-  if (bytes.next() % 2 == 0) {
+  const int kind = bytes.next() % 3;
+  if (kind == 1) {
+    damage(bytes);
+    return 0;
+  }
+  if (kind == 0) {
     std::vector<std::byte> file;
     while (!bytes.empty()) file.push_back(static_cast<std::byte>(bytes.next()));
     read(file);
