@@ -20,7 +20,7 @@ def open(path):
 
     >>> run = mesogen.open("output/quickstart")
     >>> run.fields
-    ['order_tensor', 'position', 'velocity']
+    ['image', 'order_tensor', 'position', 'velocity']
     >>> velocity = run["velocity"]             # last frame, N x 2, in m/s, ordered by particle id
     >>> time, v_rms = run.series("flow", "v_rms")
     """

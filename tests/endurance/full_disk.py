@@ -66,7 +66,7 @@ def main():
     with tempfile.TemporaryDirectory(prefix="mesogen-disk-") as parent:
         case = results.write_case(parent)
         unbroken = os.path.join(parent, "unbroken")
-        subprocess.run([mesogen, "run", case, "--output", unbroken, "--quiet"], check=True)
+        subprocess.run([mesogen, "run", case, "--output", unbroken, "--quiet", "--threads", "1"], check=True)
         whole = results.read(unbroken)
         frames = len(whole["particles/fluid/position/step"])
         # While it is packed a run needs its results twice.
@@ -81,8 +81,8 @@ def main():
                 disk.clear()
                 folder = os.path.join(disk.folder, "run")
                 how = disk.leave(int(most * (n + 0.5) / wanted) // 4096 * 4096)
-                first = subprocess.run([mesogen, "run", case, "--output", folder, "--quiet"], capture_output=True, text=True,
-                                       check=False, **how)
+                first = subprocess.run([mesogen, "run", case, "--output", folder, "--quiet", "--threads", "1"],
+                                       capture_output=True, text=True, check=False, **how)
                 if first.returncode != 0:
                     assert first.returncode in (1, 2), first
                     assert "No space left on device" in first.stderr or "File too large" in first.stderr, first.stderr
@@ -93,10 +93,10 @@ def main():
                     seen.append(results.check_beginning(folder, whole) if os.path.exists(folder) else 0)
                 disk.free()
                 if os.path.exists(folder):
-                    subprocess.run([mesogen, "resume", folder, "--quiet"], check=True)
+                    subprocess.run([mesogen, "resume", folder, "--quiet", "--threads", "1"], check=True)
                 else:
                     again += 1
-                    subprocess.run([mesogen, "run", case, "--output", folder, "--quiet"], check=True)
+                    subprocess.run([mesogen, "run", case, "--output", folder, "--quiet", "--threads", "1"], check=True)
                 results.check_complete(folder, whole)
         finally:
             disk.close()
