@@ -161,8 +161,8 @@ class CaseReader {
   void read_kernel() {
     const CaseSection kernel = section("kernel");
     if (broken("kernel")) return;
-    case_.kernel = choice(kernel, {"type", "smoothing_length"});
-    kernel.read_only(case_keys::kernel(case_.smoothing_length_ratio), problems_);
+    case_.kernel = choice(kernel, {"type", "smoothing_length", "laplacian"});
+    kernel.read_only(case_keys::kernel(case_.smoothing_length_ratio, case_.laplacian), problems_);
   }
 
   /// `boundary = "name"` or `boundary = { type = "name", key = value }`

@@ -66,7 +66,8 @@ std::vector<SectionForm> forms_of(const std::string& section) {
   if (section.empty()) return one_form(case_keys::title(any.title));
   if (section == "domain") return one_form(case_keys::domain(any.domain));
   if (section == "particles") return by_choice("arrangement", &Case::Particles::arrangement, case_keys::particles);
-  if (section == "kernel") return plugin_form(declared_keys(case_keys::kernel(any.smoothing_length_ratio)));
+  if (section == "kernel")
+    return plugin_form(declared_keys(case_keys::kernel(any.smoothing_length_ratio, any.laplacian)));
   if (section == "director") return by_choice("type", &Case::Director::type, case_keys::director);
   if (section == "velocity") return by_choice("type", &Case::Velocity::type, case_keys::velocity);
   if (section == "colour") return one_form(case_keys::colour(any.colour));

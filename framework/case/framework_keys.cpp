@@ -75,9 +75,14 @@ ParameterList particles(Case::Particles& particles) {
   return list;
 }
 
-ParameterList kernel(double& smoothing_length_ratio) {
+ParameterList kernel(double& smoothing_length_ratio, std::string& laplacian) {
   ParameterList list;
   list.number("smoothing_length", smoothing_length_ratio).doc("smoothing length h in particle spacings").above(0.0);
+  list.text("laplacian", laplacian)
+      .doc(
+          "how second derivatives are summed: plain is cheaper and wants evenly spread particles; consistent is exact "
+          "for quadratic fields on any")
+      .choices({"plain", "consistent"});
   return list;
 }
 

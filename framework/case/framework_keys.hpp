@@ -26,7 +26,7 @@ const std::vector<Section>& sections();
 ParameterList title(std::string& title);
 ParameterList domain(Case::Domain& domain);
 ParameterList particles(Case::Particles& particles);
-ParameterList kernel(double& smoothing_length_ratio);
+ParameterList kernel(double& smoothing_length_ratio, std::string& laplacian);
 ParameterList director(Case::Director& director);
 ParameterList velocity(Case::Velocity& velocity);
 ParameterList colour(Case::Colour& colour);

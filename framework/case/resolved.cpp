@@ -25,7 +25,7 @@ ResolvedCase::ResolvedCase(const Case& source)
   std::string precision = copy.run.precision == Precision::single_precision ? "single" : "double";
   fill(*tree_, "domain", case_keys::domain(copy.domain));
   fill(*tree_, "particles", case_keys::particles(copy.particles));
-  fill(*tree_, "kernel", case_keys::kernel(copy.smoothing_length_ratio));
+  fill(*tree_, "kernel", case_keys::kernel(copy.smoothing_length_ratio, copy.laplacian));
   if (copy.director.given) fill(*tree_, "director", case_keys::director(copy.director));
   if (copy.velocity.given) fill(*tree_, "velocity", case_keys::velocity(copy.velocity));
   if (copy.colour.given) fill(*tree_, "colour", case_keys::colour(copy.colour));

@@ -15,8 +15,8 @@ constexpr std::size_t most_components = 4;
 }  // namespace
 
 DerivedFields::DerivedFields(World& world, const Catalogue& catalogue, const std::set<std::string>& for_integration,
-                             const std::vector<std::set<std::string>>& for_readers)
-    : world_(world) {
+                             const std::vector<std::set<std::string>>& for_readers, bool consistent_laplacian)
+    : world_(world), consistent_laplacian_(consistent_laplacian) {
   std::set<std::string> all = for_integration;
   for (const auto& reader : for_readers) all.insert(reader.begin(), reader.end());
   if (all.empty()) return;
@@ -148,6 +148,7 @@ void DerivedFields::run_pair_sums(PairPass& pass) {
       wanted.laplacian[n] = component.laplacian->view<Real>().component(component.index);
   }
   if (pass.correction != nullptr) wanted.correction = pass.correction->view<Real>();
+  wanted.consistent = consistent_laplacian_;
   sph::derivatives<Real, Dim>(space, neighbours, world_.kernel, wanted);
 }
 

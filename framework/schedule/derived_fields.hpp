@@ -18,7 +18,7 @@ namespace mesogen {
 class MESOGEN_EXPORT DerivedFields {
  public:
   DerivedFields(World& world, const Catalogue& catalogue, const std::set<std::string>& for_integration,
-                const std::vector<std::set<std::string>>& for_readers);
+                const std::vector<std::set<std::string>>& for_readers, bool consistent_laplacian);
 
   [[nodiscard]] bool has(const std::string& field) const { return pass_of_.contains(field); }
   /// Brings a derived field up to date.
@@ -55,6 +55,7 @@ class MESOGEN_EXPORT DerivedFields {
   void run_pair_sums(PairPass& pass);
 
   World& world_;
+  bool consistent_laplacian_;
   std::vector<PairPass> passes_;
   std::map<std::string, std::vector<std::size_t>> pass_of_;
 };

@@ -29,14 +29,15 @@ Stepper::Stepper(Setup& setup)
     : setup_(setup),
       world_(setup.scene, setup.smoothing, *setup.boundary,
              initial_particles(setup.arrangement, setup.scene.dimension)),
-      derived_((add_fields(),
-                std::make_unique<DerivedFields>(world_, setup.catalogue, setup.graph->derived_for_integration(),
-                                                [&] {
-                                                  std::vector<std::set<std::string>> readers;
-                                                  for (std::size_t n = 0; n <= setup.observers.size(); ++n)
-                                                    readers.push_back(setup.graph->derived_for_reader(n));
-                                                  return readers;
-                                                }()))),
+      derived_((add_fields(), std::make_unique<DerivedFields>(
+                                  world_, setup.catalogue, setup.graph->derived_for_integration(),
+                                  [&] {
+                                    std::vector<std::set<std::string>> readers;
+                                    for (std::size_t n = 0; n <= setup.observers.size(); ++n)
+                                      readers.push_back(setup.graph->derived_for_reader(n));
+                                    return readers;
+                                  }(),
+                                  setup.source.laplacian == "consistent"))),
       executor_(world_, *setup.graph, *derived_),
       integrator_(world_, setup.catalogue, setup.graph->velocity(), setup.graph->shift()),
       control_(setup.scene, setup.limits, setup.source.time.step, setup.source.time.factor),

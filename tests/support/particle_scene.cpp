@@ -52,7 +52,8 @@ ParticleScene::ParticleScene(const Options& options, const std::array<std::vecto
   f.name = "f";
   catalogue_.add_initial(f, "test");
   world_->add_field("f", 1, false);
-  fields_ = std::make_unique<DerivedFields>(*world_, catalogue_, derived_from_f, std::vector<std::set<std::string>>{});
+  fields_ = std::make_unique<DerivedFields>(*world_, catalogue_, derived_from_f, std::vector<std::set<std::string>>{},
+                                            options.consistent_laplacian);
   world_->settle();
 }
 

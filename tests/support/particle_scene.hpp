@@ -21,6 +21,7 @@ class ParticleScene {
     double smoothing_length = 4.0 / 3.0;  ///< in spacings
     std::string kernel = "quintic";
     std::string boundary = "periodic_ghosts";
+    bool consistent_laplacian = false;
     Precision precision = Precision::double_precision;
   };
 

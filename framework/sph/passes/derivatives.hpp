@@ -2,6 +2,7 @@
 
 #include "mesogen/sph/pair_sum.hpp"
 #include "mesogen/sph/small_matrix.hpp"
+#include "sph/passes/consistent_derivatives.hpp"
 #include "sph/standard_passes.hpp"
 
 namespace mesogen::sph {
@@ -62,15 +63,26 @@ struct DerivativePass {
   }
 };
 
+template <class Real, int Dim, int Count>
+void run_derivatives_of(const exec::Space& space, const Neighbours<Real, Dim>& neighbours,
+                        const SmoothingKernel& kernel, const Derivatives<Real, Dim>& wanted) {
+  if constexpr (Count > 0) {
+    if (wanted.consistent)
+      return pair_sum<Real, Dim>(space, neighbours, kernel,
+                                 ConsistentDerivativePass<Real, Dim, Count>{wanted, Real(kernel.smoothing_length)});
+  }
+  pair_sum<Real, Dim>(space, neighbours, kernel, DerivativePass<Real, Dim, Count>{wanted});
+}
+
 template <class Real, int Dim>
 void run_derivatives(const exec::Space& space, const Neighbours<Real, Dim>& neighbours, const SmoothingKernel& kernel,
                      const Derivatives<Real, Dim>& wanted) {
   switch (wanted.count) {
-    case 0: return pair_sum<Real, Dim>(space, neighbours, kernel, DerivativePass<Real, Dim, 0>{wanted});
-    case 1: return pair_sum<Real, Dim>(space, neighbours, kernel, DerivativePass<Real, Dim, 1>{wanted});
-    case 2: return pair_sum<Real, Dim>(space, neighbours, kernel, DerivativePass<Real, Dim, 2>{wanted});
-    case 3: return pair_sum<Real, Dim>(space, neighbours, kernel, DerivativePass<Real, Dim, 3>{wanted});
-    default: return pair_sum<Real, Dim>(space, neighbours, kernel, DerivativePass<Real, Dim, 4>{wanted});
+    case 0: return run_derivatives_of<Real, Dim, 0>(space, neighbours, kernel, wanted);
+    case 1: return run_derivatives_of<Real, Dim, 1>(space, neighbours, kernel, wanted);
+    case 2: return run_derivatives_of<Real, Dim, 2>(space, neighbours, kernel, wanted);
+    case 3: return run_derivatives_of<Real, Dim, 3>(space, neighbours, kernel, wanted);
+    default: return run_derivatives_of<Real, Dim, 4>(space, neighbours, kernel, wanted);
   }
 }
 

@@ -34,18 +34,17 @@ class Operators : public testing::TestWithParam<const char*> {
   }
 
   /// Root of the mean square error of the Laplacian of a wave, relative to its size.
-  [[nodiscard]] double error_of_laplacian(int across) const {
-    ParticleScene scene(options(across), lattice(across, across, 1.0 / across));
+  [[nodiscard]] double error_of_laplacian(int across, double jitter = 0.0, bool consistent = false) const {
+    ParticleScene::Options chosen = options(across);
+    chosen.consistent_laplacian = consistent;
+    const auto points = jittered(across, across, 1.0 / across, jitter);
+    ParticleScene scene(chosen, points);
     const auto wave = [](double x, double y) { return std::sin(two_pi * (x + y)); };
     scene.set(wave);
     const auto laplacian = scene.derived("f_laplacian");
     double sum = 0.0;
-    for (int j = 0; j < across; ++j) {
-      for (int i = 0; i < across; ++i) {
-        const double f = wave((i + 0.5) / across, (j + 0.5) / across);
-        sum += std::pow(laplacian[static_cast<std::size_t>(j * across + i)] / (two_pi * two_pi) + 2.0 * f, 2);
-      }
-    }
+    for (std::size_t i = 0; i < laplacian.size(); ++i)
+      sum += std::pow(laplacian[i] / (two_pi * two_pi) + 2.0 * wave(points[0][i], points[1][i]), 2);
     return std::sqrt(sum / (across * across) / 2.0);
   }
 };
@@ -96,6 +95,42 @@ TEST_P(Operators, LaplacianConvergesInSecondOrderOnALattice) {
   const double coarse = error_of_laplacian(24);
   const double fine = error_of_laplacian(48);
   EXPECT_LT(fine, 0.012);
+  EXPECT_GT(std::log2(coarse / fine), 1.8) << coarse << ", " << fine;
+}
+
+// On disordered particles the plain Laplacian does not converge; the consistent one is exact for quadratic functions.
+TEST_P(Operators, ConsistentLaplacianOfAQuadraticIsExactOnJitteredParticles) {
+  constexpr int across = 24;
+  for (const auto& [precision, tolerance] :
+       {std::pair{Precision::double_precision, 1e-9}, std::pair{Precision::single_precision, 5e-3}}) {
+    const auto points = jittered(across, across, 1.0 / across, 0.2);
+    ParticleScene::Options disordered = options(across, precision);
+    disordered.consistent_laplacian = true;
+    ParticleScene scene(disordered, points);
+    scene.set([](double x, double y) { return 1.5 * x * x - 2.0 * x * y + 0.25 * y * y + 3.0 * x - y; });
+    const auto laplacian = scene.derived("f_laplacian");
+    int compared = 0;
+    for (std::size_t i = 0; i < points[0].size(); ++i) {
+      const double to_face = std::min({points[0][i], 1.0 - points[0][i], points[1][i], 1.0 - points[1][i]});
+      if (to_face < 4.2 / across) continue;
+      ASSERT_NEAR(laplacian[i], 3.5, tolerance);
+      ++compared;
+    }
+    EXPECT_GT(compared, 150);
+  }
+}
+
+TEST_P(Operators, ConsistentLaplacianConvergesOnJitteredParticles) {
+  const double coarse = error_of_laplacian(24, 0.2, true);
+  const double fine = error_of_laplacian(48, 0.2, true);
+  EXPECT_LT(fine, 0.03);
+  EXPECT_GT(std::log2(coarse / fine), 1.0) << coarse << ", " << fine;
+  EXPECT_GT(error_of_laplacian(48, 0.2, false), 5.0 * fine) << "the plain one";
+}
+
+TEST_P(Operators, ConsistentLaplacianConvergesInSecondOrderOnALattice) {
+  const double coarse = error_of_laplacian(24, 0.0, true);
+  const double fine = error_of_laplacian(48, 0.0, true);
   EXPECT_GT(std::log2(coarse / fine), 1.8) << coarse << ", " << fine;
 }
 
