@@ -27,7 +27,12 @@ void print_steps(const Setup& setup) {
     fmt::print("time            {:.6g} s, step chosen as the run goes, times {:.6g}\n", time.end, time.factor);
   }
   fmt::print("step limits, beside those of the motion\n");
-  for (const auto& limit : setup.limits.all()) fmt::print("  {:<46} {:.6g} s\n", limit.name, limit.seconds);
+  for (const auto& limit : setup.limits.all()) {
+    fmt::print("  {:<46} {:.6g} s", limit.name, limit.seconds);
+    if (time.step && *time.step > limit.seconds)
+      fmt::print("   time.step is {:.3g} times as long: the run will break down", *time.step / limit.seconds);
+    fmt::print("\n");
+  }
 }
 
 ExitCode check(const CaseOptions& options) {

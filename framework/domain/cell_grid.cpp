@@ -70,8 +70,8 @@ CellGrid::Cell CellGrid::of_dummy(const std::array<double, 3>& position) const {
   if (!outside) {
     std::string at;
     for (int d = 0; d < dimension_; ++d) at += (d > 0 ? ", " : "") + std::to_string(position[d]);
-    throw Error(ExitCode::plugin_refused, "the boundary puts a dummy at (" + at +
-                                              "), inside the box: dummies belong beyond a face that does not wrap");
+    throw Error(ExitCode::plugin_refused,
+                "the boundary puts a dummy at (" + at + "), beyond a face where the box wraps: nobody would see it");
   }
   return cell;
 }

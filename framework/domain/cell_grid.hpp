@@ -27,8 +27,8 @@ class MESOGEN_EXPORT CellGrid {
   [[nodiscard]] Cell inside(int number) const;
   /// Cell in the padding (or beside it, inside, along axes without offset) of a copy of a particle.
   [[nodiscard]] Cell of_copy(const std::array<double, 3>& source, const std::array<double, 3>& offset) const;
-  /// Cell in the padding of a dummy. Throws Error(plugin_refused) if it lies inside the box: cells there know
-  /// particles.
+  /// Cell in the padding of a dummy. Throws Error(plugin_refused) if it lies beyond no face but those where the box
+  /// wraps: cells inside know particles only.
   [[nodiscard]] Cell of_dummy(const std::array<double, 3>& position) const;
   /// Cell inside the box nearest to a position.
   [[nodiscard]] Cell nearest_inside(const std::array<double, 3>& position) const;

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
-#include <string>
 
 #include "mesogen/diagnostics/error.hpp"
 #include "mesogen/exec/first_failure.hpp"
@@ -24,10 +23,6 @@ Neighbourhood::Neighbourhood(const Scene& scene, const Boundary& boundary)
       skin_(skin_in_spacings * scene.spacing),
       grid_(scene, boundary, scene.support + skin_) {
   boundary.dummies(scene, scene.support + skin_, dummies_);
-  if (dummies_.position.size() != dummies_.mirror.size())
-    throw Error(ExitCode::plugin_refused, "the boundary gives " + std::to_string(dummies_.position.size()) +
-                                              " dummies, but " + std::to_string(dummies_.mirror.size()) +
-                                              " mirror points: each dummy needs one");
 }
 
 std::array<double, 3> Neighbourhood::sorted_at(Index i) const {
@@ -153,10 +148,16 @@ void Neighbourhood::make_outside() {
     outside_origin_[d].resize(cell.size());
     for (std::size_t n = 0; n < cell.size(); ++n)
       outside_origin_[d][n] = grid_.tile_origin(d, cell[static_cast<std::size_t>(order[n])][d]);
+    const auto place_dummies = [&](auto& local) {
+      using Real = typename std::decay_t<decltype(local)>::value_type;
+      local.assign(stored, Real(0));
+      for (std::size_t n = 0; n < dummies_.position.size(); ++n)
+        local[static_cast<std::size_t>(count) + n] = Real(dummies_.position[n][d] - outside_origin_[d][n]);
+    };
     if (scene_.precision == Precision::single_precision) {
-      local_single_[d].assign(stored, 0.0F);
+      place_dummies(local_single_[d]);
     } else {
-      local_double_[d].assign(stored, 0.0);
+      place_dummies(local_double_[d]);
     }
   }
   ++sorted_version_;
@@ -225,10 +226,6 @@ bool Neighbourhood::place(const Particles& particles, std::array<std::vector<Rea
     for (int d = 0; d < scene_.dimension; ++d)
       local[d][count + n] =
           Real(particles.position[d][copies_.source[n]] + copies_.offset[n][d] - outside_origin_[d][n]);
-  const auto dummies = static_cast<Index>(dummies_.position.size());
-  for (Index n = 0; n < dummies; ++n)
-    for (int d = 0; d < scene_.dimension; ++d)
-      local[d][count + n] = Real(dummies_.position[n][d] - outside_origin_[d][n]);
   return true;
 }
 

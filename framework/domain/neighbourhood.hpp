@@ -38,6 +38,8 @@ class MESOGEN_EXPORT Neighbourhood {
     return static_cast<Index>(copies_.source.size() + dummies_.position.size());
   }
   [[nodiscard]] const CellGrid& grid() const { return grid_; }
+  /// How much farther than the support cells reach, m: between sortings a particle strays by at most half of it.
+  [[nodiscard]] double skin() const { return skin_; }
   /// Raised whenever a particle has moved: what was computed from positions is out of date.
   [[nodiscard]] std::uint64_t version() const { return version_; }
   /// Raised whenever the copies are others.

@@ -4,6 +4,8 @@
 #include <Eigen/Core>
 #include <cmath>
 
+#include "mesogen/exec/first_failure.hpp"
+
 namespace mesogen {
 
 namespace {
@@ -37,14 +39,15 @@ Vector<Dim> coefficients(const Matrix<Dim>& moment) {
 
 /// All particles, no dummies, that the kernel reaches from a point.
 template <class Real, int Dim, class Function>
-std::vector<Seen<Dim>> seen_from(const std::array<double, 3>& point, const CellGrid& grid,
-                                 const Neighbours<Real, Dim>& neighbours, const Function& function, double length) {
+void look_from(const std::array<double, 3>& point, const CellGrid& grid, const Neighbours<Real, Dim>& neighbours,
+               const Function& function, double length, std::vector<Seen<Dim>>& seen) {
   const CellGrid::Cell cell = grid.nearest_inside(point);
   int centre[Dim];
   for (int d = 0; d < Dim; ++d) centre[d] = cell[d];
   Segment<Real, Dim> segment[Neighbours<Real, Dim>::most_segments];
   const int segments = neighbours.segments(centre, segment);
-  std::vector<Seen<Dim>> seen;
+  const double farthest = static_cast<double>(neighbours.radius) / length;
+  seen.clear();
   for (int s = 0; s < segments; ++s) {
     if (segment[s].begin >= neighbours.particle_count) continue;
     for (Index j = segment[s].begin; j < segment[s].end; ++j) {
@@ -53,11 +56,12 @@ std::vector<Seen<Dim>> seen_from(const std::array<double, 3>& point, const CellG
         const double origin = grid.tile_origin(d, cell[d]) + static_cast<double>(segment[s].offset[d]);
         one.basis[d + 1] = (static_cast<double>(neighbours.local[d][j]) + origin - point[d]) / length;
       }
-      one.kernel = function.value(length * one.basis.template tail<Dim>().norm());
+      const double square = one.basis.template tail<Dim>().squaredNorm();
+      if (square >= farthest * farthest) continue;
+      one.kernel = function.value(length * std::sqrt(square));
       if (one.kernel > 0.0) seen.push_back(one);
     }
   }
-  return seen;
 }
 
 }  // namespace
@@ -96,19 +100,29 @@ void WallValues::find_weights(const Neighbourhood& neighbourhood, const sph::Smo
   neighbourhood.fill(neighbours);
   const auto count = static_cast<std::ptrdiff_t>(mirrors.size());
   weights_.resize(mirrors.size());
+  exec::FirstFailure failure;
   sph::with_kernel_function<double>(kernel, [&](const auto& function) {
-#pragma omp parallel for schedule(static)
-    for (std::ptrdiff_t n = 0; n < count; ++n) {
-      const auto seen = seen_from(mirrors[static_cast<std::size_t>(n)], neighbourhood.grid(), neighbours, function,
-                                  kernel.smoothing_length);
-      Matrix<Dim> moment = Matrix<Dim>::Zero();
-      for (const Seen<Dim>& one : seen) moment += one.kernel * one.basis * one.basis.transpose();
-      const Vector<Dim> coefficient = coefficients<Dim>(moment);
-      auto& weights = weights_[static_cast<std::size_t>(n)];
-      weights.clear();
-      for (const Seen<Dim>& one : seen) weights.push_back({one.particle, one.kernel * coefficient.dot(one.basis)});
+#pragma omp parallel
+    {
+      std::vector<Seen<Dim>> seen;
+#pragma omp for schedule(static)
+      for (std::ptrdiff_t n = 0; n < count; ++n) {
+        try {
+          look_from(mirrors[static_cast<std::size_t>(n)], neighbourhood.grid(), neighbours, function,
+                    kernel.smoothing_length, seen);
+          Matrix<Dim> moment = Matrix<Dim>::Zero();
+          for (const Seen<Dim>& one : seen) moment += one.kernel * one.basis * one.basis.transpose();
+          const Vector<Dim> coefficient = coefficients<Dim>(moment);
+          auto& weights = weights_[static_cast<std::size_t>(n)];
+          weights.clear();
+          for (const Seen<Dim>& one : seen) weights.push_back({one.particle, one.kernel * coefficient.dot(one.basis)});
+        } catch (...) {
+          failure.keep();
+        }
+      }
     }
   });
+  failure.rethrow();
 }
 
 template <class Real>

@@ -91,7 +91,6 @@ void Field::permute(const std::vector<Index>& order) {
     if (!single_.empty()) permute_component(single_.data() + c * stride_, order, scratch_single_);
     if (!double_.empty()) permute_component(double_.data() + c * stride_, order, scratch_);
   }
-  ++version;
 }
 
 Field& FieldStore::add(std::unique_ptr<Field> field) {

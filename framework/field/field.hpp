@@ -37,7 +37,8 @@ class MESOGEN_EXPORT Field {
   void set(int component, Index particle, double value);
   void fill_zero();
 
-  /// New place of every particle: place n takes what stood at order[n].
+  /// New place of every particle: place n takes what stood at order[n]. No particle gets another value, so the version
+  /// stays.
   void permute(const std::vector<Index>& order);
 
   /// Every write raises the version; what lies beyond the faces is of version `refreshed`, and at a wall of the

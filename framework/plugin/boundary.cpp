@@ -19,6 +19,10 @@ Boundary::~Boundary() = default;
 
 void Boundary::parameters(ParameterList&) {}
 
+void Boundary::scales(Scales&) const {}
+
+void Boundary::prepare(const Scene&) {}
+
 bool Boundary::periodic(int) const { return true; }
 
 void Boundary::copies(const Scene&, const double* const*, Index, double, Copies& out) const {

@@ -8,13 +8,16 @@
 namespace mesogen {
 
 /// A boundary plugin that says its name: whatever one of its functions throws comes out as an Error that names the
-/// plugin and the function. `run_failed` where it is called while a case runs, `plugin_refused` before.
+/// plugin and the function. `run_failed` where it is called while a case runs, `plugin_refused` before. What it gives
+/// is checked here: copies of particles that there are, dummies beyond the faces, numbers that are finite.
 class NamedBoundary final : public Boundary {
  public:
   NamedBoundary(std::string name, std::unique_ptr<Boundary> plugin)
       : name_(std::move(name)), plugin_(std::move(plugin)) {}
 
   void parameters(ParameterList& list) override;
+  void scales(Scales& scales) const override;
+  void prepare(const Scene& scene) override;
   [[nodiscard]] bool periodic(int axis) const override;
   [[nodiscard]] bool wraps(int axis) const override;
   void keep_inside(const Scene& scene, double* position, std::int32_t* images) const override;

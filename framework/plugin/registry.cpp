@@ -77,7 +77,11 @@ PluginRegistry PluginRegistry::scan(const std::vector<fs::path>& folders) {
     require_folder(folder);
     registry.add_folder(folder);
   }
-  for (const auto& folder : folders_of_environment()) registry.add_folder(folder);
+  for (const auto& folder : folders_of_environment()) {
+    if (std::error_code ignored; !fs::is_directory(folder, ignored))
+      registry.refused_.push_back({folder, "MESOGEN_PLUGIN_PATH names it, but there is no such folder"});
+    registry.add_folder(folder);
+  }
   registry.add_folder(installed_folder());
   registry.sort();
   return registry;

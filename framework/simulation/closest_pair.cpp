@@ -7,9 +7,6 @@ namespace mesogen {
 
 namespace {
 
-// Until it is sorted anew a particle may stand this far outside its cell, in spacings (see Neighbourhood).
-constexpr double astray = 0.1;
-
 /// Calls visit(j, squared distance) for every j < `stored` in the cells around particle i of a cell.
 template <class Real, class Visit>
 void visit_around(const Neighbours<Real, 2>& grid, const Segment<Real, 2>* segments, int count, Index i, Index stored,
@@ -29,10 +26,11 @@ template <class Real>
 std::optional<ClosestPair> closest_pair_of(const World& world, double within) {
   Neighbours<Real, 2> grid{};
   world.neighbourhood.fill(grid);
-  // The grid is made for the support; only the next cells matter here.
+  // The grid is made for the support; only the next cells matter here. Until they are sorted anew two particles stand
+  // up to half a skin outside their cells, each.
   for (int d = 0; d < 2; ++d)
-    grid.reach[d] = std::min(
-        grid.reach[d], static_cast<int>(std::ceil((within + 2.0 * astray * world.scene.spacing) / grid.width[d])));
+    grid.reach[d] =
+        std::min(grid.reach[d], static_cast<int>(std::ceil((within + world.neighbourhood.skin()) / grid.width[d])));
   const auto in_cell = [&grid](int cell, const auto& action) {
     int at[2];
     grid.cell_coordinates(cell, at);

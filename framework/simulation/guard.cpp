@@ -18,9 +18,10 @@ constexpr double farthest = 0.5;
 // steps this much shorter than the plugins' limits.
 constexpr double shortest = 1e-3;
 
-// Volumes over that of the lattice. A particle of twice the volume has lost half of its neighbours to a void, one of
-// half the volume carries two particles' weight: sums over neighbours mean nothing there.
-constexpr double smallest_volume = 0.5;
+// Volumes over that of the lattice. A particle of twice the volume has lost half of its neighbours to a void; where
+// three stand in the place of one it has a third. Random starts come down to 0.47 (a jitter of half a spacing), and
+// spread.
+constexpr double smallest_volume = 1.0 / 3.0;
 constexpr double largest_volume = 2.0;
 
 // Two particles nearer than this, in spacings, see the same neighbours and stay together for good: one of them is lost.
@@ -29,6 +30,10 @@ constexpr double largest_volume = 2.0;
 constexpr double nearest = 0.1;
 constexpr std::int64_t steps_between_looks = 128;
 
+constexpr const char* spread_out =
+    "Keep the shift of the particles on, start with a smaller particles.jitter if this is soon after the start, or "
+    "take "
+    "a smaller step (time.factor = 0.5, or time.step)";
 constexpr const char* smaller_step =
     "Take a smaller step (time.factor = 0.5, or time.step), more particles, or a smaller activity";
 
@@ -180,7 +185,7 @@ void Guard::check_volumes() const {
            " times that on a lattice, outside " + rounded_text(smallest_volume) + " to " +
            rounded_text(largest_volume) + ": " +
            (ratio > 1.0 ? "particles have left a void there" : "particles have gathered there") + ",",
-       smaller_step);
+       spread_out);
 }
 
 void Guard::check_distances() const {
@@ -189,7 +194,7 @@ void Guard::check_distances() const {
   stop("broke down: " + particle(std::min(pair->a, pair->b)) + " and " + particle(std::max(pair->a, pair->b)) +
            " are " + rounded_text(pair->distance / world_.scene.spacing) + " spacings apart, less than " +
            rounded_text(nearest) + ",",
-       smaller_step);
+       spread_out);
 }
 
 std::string Guard::particle(Index place) const {

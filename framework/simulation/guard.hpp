@@ -15,8 +15,9 @@ namespace mesogen {
 /// Ends a run that is broken, with the particle, the field, its value and bound, the time and the likely remedy. It
 /// only looks: a guarded run has the bits of an unguarded one.
 ///
-/// Its bounds are those that no sound run meets: particle volumes stay within some 5 % of the lattice's (20 % right
-/// after a jittered start), speeds below the fifth of a spacing in a step that step control allows.
+/// Its bounds are those that no sound run meets: particle volumes stay within some 5 % of the lattice's (after a start
+/// jittered by half a spacing they begin at half of it), speeds below the fifth of a spacing in a step that step
+/// control allows.
 class MESOGEN_EXPORT Guard {
  public:
   /// All of these must outlive it.

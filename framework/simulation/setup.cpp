@@ -116,10 +116,12 @@ void SetupBuilder::make_plugins() {
 
 void SetupBuilder::choose_kernel() {
   if (!setup_.kernel || !(source_.particles.spacing > 0.0) || !(source_.smoothing_length_ratio > 0.0)) return;
+  bool made = false;
   attempt(source_.kernel, [&] {
     setup_.smoothing.shape = call_plugin(source_.kernel.type, "shape()", [&] { return setup_.kernel->shape(); });
+    made = true;
   });
-  if (setup_.smoothing.shape.pieces.empty()) return;
+  if (!made) return;
   if (const std::string problem = setup_.smoothing.shape.problem(); !problem.empty()) {
     problems_.add(source_.kernel.type_place, source_.kernel.type_key, "this kernel cannot be used: " + problem);
     return;
@@ -128,13 +130,16 @@ void SetupBuilder::choose_kernel() {
   setup_.smoothing.smoothing_length = h;
   setup_.smoothing.scale = setup_.smoothing.shape.normalisation(2) / (h * h);
   if (source_.domain.size.size() != 2) return;
-  const double shortest = std::min(source_.domain.size[0], source_.domain.size[1]);
+  const int axis = source_.domain.size[0] <= source_.domain.size[1] ? 0 : 1;
+  const double shortest = source_.domain.size[static_cast<std::size_t>(axis)];
+  const bool walls = setup_.boundary && !setup_.boundary->periodic(axis);
   const double support = setup_.smoothing.radius();
   if (support > shortest / 2.0) {
     const double most = shortest / 2.0 / setup_.smoothing.shape.support() / source_.particles.spacing;
     problems_.add(source_.place("kernel.smoothing_length"), "kernel.smoothing_length",
                   "the kernel's support of " + rounded_text(support) + " m is larger than half the box (" +
-                      rounded_text(shortest / 2.0) + " m), so a particle would meet its own image; at most " +
+                      rounded_text(shortest / 2.0) + " m), so a particle would " +
+                      (walls ? "reach through both walls" : "meet its own image") + "; at most " +
                       rounded_text(std::floor(most * 100.0) / 100.0) +
                       " particle spacings here, or take a smaller particles.spacing");
   }
@@ -157,12 +162,14 @@ void SetupBuilder::describe_scene() {
       call_plugin(member.type, "scales()", [&] { member.plugin->scales(scene.scales); });
       call_plugin(member.type, "constants()", [&] { member.plugin->constants(scene.constants); });
     });
+  attempt(source_.boundary, [&] { setup_.boundary->scales(scene.scales); });
   if (source_.velocity.given) {
     const auto velocity = initial_velocity(source_, setup_.arrangement);
     for (std::size_t i = 0; i < velocity[0].size(); ++i)
       scene.scales.speed = std::max(scene.scales.speed, std::hypot(velocity[0][i], velocity[1][i]));
   }
   if (additions_.scene) additions_.scene(scene);
+  attempt(source_.boundary, [&] { setup_.boundary->prepare(scene); });
   for (std::size_t n = 0; n < setup_.physics.size(); ++n)
     attempt(source_.physics[n], [&] {
       const auto& member = setup_.physics[n];

@@ -1,6 +1,9 @@
 #include "simulation/world_view.hpp"
 
 #include <limits>
+#include <string>
+
+#include "mesogen/diagnostics/error.hpp"
 
 namespace mesogen {
 
@@ -8,6 +11,10 @@ WorldView::~WorldView() = default;
 
 std::vector<double> WorldView::values(std::string_view name, int component) const {
   const Field& field = world_.fields.at(name);
+  if (component < 0 || component >= field.components())
+    throw Error(ExitCode::plugin_refused, "'" + std::string(name) + "' has the components 0 to " +
+                                              std::to_string(field.components() - 1) + ", not " +
+                                              std::to_string(component));
   std::vector<double> all(world_.particles.id.size());
 #pragma omp parallel for schedule(static)
   for (Index i = 0; i < world_.particles.count(); ++i) all[static_cast<std::size_t>(i)] = field.value(component, i);

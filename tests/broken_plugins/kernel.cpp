@@ -30,7 +30,11 @@ namespace {
 class Cubic final : public mesogen::Kernel {
  public:
   [[nodiscard]] mesogen::sph::KernelShape shape() const override {
+#ifdef NO_PIECES
+    return {.pieces = {}, .power = 3};
+#else
     return {.pieces = {{2.0, {1.0}}, {1.0, {-4.0}}}, .power = 3};
+#endif
   }
 };
 

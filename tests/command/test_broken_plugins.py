@@ -107,14 +107,31 @@ class Misbehaving(CommandTest):
                 out, _ = self.mesogen("plugin", "list", "--plugin-path", folder)
                 self.assertRegex(out, rf"(?m)^  {name} ")
 
+    def test_kernel_without_pieces(self):
+        case = self.write_case(CASE.replace("quintic", "no_pieces"))
+        folder = os.path.join(BROKEN_PLUGINS, "no_pieces")
+        for verb in ("check", "run"):
+            _, err = self.mesogen(verb, case, "--plugin-path", folder, code=2)
+            self.assertRegex(err, r"^error: \S*case\.toml:\d+:\d+: kernel\.type: this kernel cannot be used: it has no "
+                                  r"pieces\n$")
+
     def test_boundaries(self):
         expected = {
             "keep_inside": (1, 'plugin "keep_inside", keep_inside() failed: nobody expects this'),
             "copies": (1, 'plugin "copies", copies() failed: it threw something that is no std::exception'),
             "extend": (1, 'plugin "extend", extend() failed: no such field'),
-            "dummy_inside": (3, "the boundary puts a dummy at (0.250000, 0.200000), inside the box: dummies belong beyond "
-                                "a face that does not wrap"),
-            "no_mirror": (3, "the boundary gives 1 dummies, but 0 mirror points: each dummy needs one"),
+            "dummy_inside": (3, 'plugin "dummy_inside", dummies(): dummy 0 at (0.25, 0.2, 0) m lies inside the box: '
+                                "dummies belong beyond a face that does not wrap"),
+            "no_mirror": (3, 'plugin "no_mirror", dummies(): gives 1 dummies, but 0 mirror points: each dummy needs one'),
+            "mirror_astray": (3, 'plugin "mirror_astray", dummies(): the mirror point of dummy 0, (0.25, 1e+300, 0) m, '
+                                 "lies outside the box: there are no particles to take values from"),
+            "dummy_nowhere": (3, 'plugin "dummy_nowhere", dummies(): dummy 0 is at (nan, -0.01, 0) m'),
+            "no_offset": (3, 'plugin "no_offset", copies(): gives 1 sources, but 0 offsets: each copy needs one of both'),
+            "no_source": (3, 'plugin "no_source", copies(): copy 0 is of particle -1, which there is not'),
+            "rules_lost": (3, 'plugin "rules_lost", extend(): leaves 0 rules for \'velocity\' where there were 2: change '
+                              "them in place"),
+            "rule_not_finite": (3, 'plugin "rule_not_finite", extend(): a rule for \'velocity\' is not finite: inf f + '
+                                   "0"),
             "both": (3, "the boundary gives copies and dummies: it can have one or the other; an axis that wraps needs "
                         "neither"),
         }

@@ -115,6 +115,12 @@ class Looks(CommandTest):
             self.assertIn(part, out)
         self.assertEqual(os.listdir(self.folder), ["case.toml"])
 
+    def test_step_that_is_too_long_is_told(self):
+        out, _ = self.mesogen("check", self.write_case(), "--set", "time.step=1.0")
+        self.assertRegex(out, r"viscosity: \S.* s   time\.step is \S+ times as long: the run will break down\n")
+        out, _ = self.mesogen("check", self.write_case(), "--set", "time.step=1e-6")
+        self.assertNotIn("break down", out)
+
     def test_spacing_that_does_not_come_out_is_told(self):
         fitted = "spacing 0.1 m along x, 0.1 m along y, so that whole rows fit the box"
         case = self.write_case(CASE.replace("spacing = 0.1", "spacing = 0.0995"))

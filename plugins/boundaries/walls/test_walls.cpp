@@ -114,6 +114,39 @@ TEST(Walls, ReflectWhatPassedThem) {
   EXPECT_EQ(position[1], 1.875);
 }
 
+std::string refusal(const std::string& keys, bool nematic = true) {
+  CaseText text(1.0, 16);
+  text.section("domain", "size = [1.0, 1.0]\nboundary = { type = \"walls\", " + keys + " }").flow(0.1);
+  if (nematic) text.nematic(1.0, 0.5, 0.01).section("director", "type = \"uniform\"");
+  try {
+    CaseRun run(text);
+    return "accepted";
+  } catch (const Error& error) {
+    const std::string what = error.what();
+    const auto at = what.find("prepare(): ");
+    return at == std::string::npos ? what : what.substr(at + 11);
+  }
+}
+
+TEST(Walls, RefuseWhatHasNoMeaning) {
+  EXPECT_EQ(refusal("axes = []"), "`axes` names no axis: without walls the boundary is \"periodic_wrap\"");
+  EXPECT_EQ(refusal("axes = [\"y\", \"y\"]"), "`axes` names \"y\" twice");
+  EXPECT_EQ(refusal("anchoring = \"planar\", angle_low = 30.0"),
+            "`angle_low` and `angle_high` have a meaning only with anchoring = \"angle\"");
+  EXPECT_EQ(refusal("order = 0.5"), "`order` has a meaning only at walls that anchor the director");
+  EXPECT_EQ(refusal("anchoring = \"planar\"", false),
+            "`anchoring` needs a nematic: add a [physics.*] section with type = \"beris_edwards\", or leave it out");
+  EXPECT_EQ(refusal("anchoring = \"planar\", order = 0.5"), "accepted");
+}
+
+TEST(Walls, TellHowFastTheyMove) {
+  WallsUnderTest channel;
+  channel.set("velocity_low", -0.25);
+  Scales scales;
+  channel.boundary->scales(scales);
+  EXPECT_EQ(scales.speed, 0.25);
+}
+
 // Particles at random places, the fields read from the dummies: a linear field stays linear across the wall, so its
 // gradient is exact up to it.
 TEST(Walls, LinearFieldsStayLinearAcrossThem) {

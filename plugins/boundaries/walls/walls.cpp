@@ -41,6 +41,23 @@ class Walls final : public Boundary {
     list.number("order", order_).unit("1").at_least(0).at_most(1).doc("order q at an anchoring wall");
   }
 
+  void scales(Scales& scales) const override {
+    scales.speed = std::max({scales.speed, std::abs(velocity_low_), std::abs(velocity_high_)});
+  }
+
+  void prepare(const Scene& scene) override {
+    if (axes_.empty()) refuse("`axes` names no axis: without walls the boundary is \"periodic_wrap\"");
+    for (std::size_t n = 0; n < axes_.size(); ++n)
+      if (std::find(axes_.begin(), axes_.begin() + static_cast<std::ptrdiff_t>(n), axes_[n]) !=
+          axes_.begin() + static_cast<std::ptrdiff_t>(n))
+        refuse("`axes` names \"" + axes_[n] + "\" twice");
+    if (anchoring_ != "angle" && (angle_low_ != 0.0 || angle_high_ != 0.0))
+      refuse("`angle_low` and `angle_high` have a meaning only with anchoring = \"angle\"");
+    if (anchoring_ == "none" && order_ != 1.0) refuse("`order` has a meaning only at walls that anchor the director");
+    if (anchoring_ != "none" && !scene.constants.contains("elastic_constant"))
+      refuse("`anchoring` needs a nematic: add a [physics.*] section with type = \"beris_edwards\", or leave it out");
+  }
+
   [[nodiscard]] bool periodic(int axis) const override { return !has_wall(axis); }
   [[nodiscard]] bool wraps(int axis) const override { return !has_wall(axis); }
 
@@ -93,6 +110,8 @@ class Walls final : public Boundary {
   }
 
  private:
+  [[noreturn]] static void refuse(const std::string& what) { throw Error(ExitCode::bad_case, what); }
+
   struct Wall {
     int axis = 0;
     bool high = false;

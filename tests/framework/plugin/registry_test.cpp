@@ -138,6 +138,8 @@ TEST(PluginRegistry, SearchesTheVariableAndTheInstallation) {
   const auto registry = PluginRegistry::scan();
   EXPECT_NE(registry.find(PluginKind::kernel, "twin"), nullptr);
   EXPECT_NE(registry.find(PluginKind::kernel, "quintic"), nullptr);
+  ASSERT_EQ(registry.refusals().size(), 1U);
+  EXPECT_EQ(registry.refusals()[0], "/nowhere: MESOGEN_PLUGIN_PATH names it, but there is no such folder");
 }
 
 TEST(PluginRegistry, SuggestsTheNearestName) {

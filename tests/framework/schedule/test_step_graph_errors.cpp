@@ -77,6 +77,18 @@ TEST(StepGraphErrors, PluginThatCanDoNothingIsNamed) {
   EXPECT_EQ(refusal([](Pass& pass) { pass.accumulates({"a"}); }), "'physics.mine: work' adds to 'a'" + mend);
 }
 
+TEST(StepGraphErrors, MisspeltFieldsAreToldTheNearest) {
+  GraphFixture all;
+  PassList& flow = all.plugin("physics.flow");
+  flow.field("velocity", Rank::vector).advanced_by("acceleration");
+  flow.field("acceleration", Rank::vector);
+  flow.pass("push").accumulates({"acceleration"});
+  all.plugin("physics.mine").pass("work").reads({"velocty"}).accumulates({"acceleration"});
+  EXPECT_EQ(all.refusal(),
+            "'physics.mine: work' reads 'velocty', which no plugin of this case introduces; did you mean \"velocity\"? "
+            "Add one that does (`mesogen plugin info` tells), or remove 'physics.mine'");
+}
+
 TEST(StepGraphErrors, StatesAreNotWritten) {
   GraphFixture all;
   PassList& one = all.plugin("physics.one");

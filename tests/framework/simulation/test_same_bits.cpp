@@ -55,7 +55,7 @@ TEST_P(SameBits, FromASavedAndRestoredRun) {
 
 INSTANTIATE_TEST_SUITE_P(All, SameBits,
                          testing::Combine(testing::Values("single", "double"),
-                                          testing::Values("periodic_ghosts", "periodic_wrap")),
+                                          testing::Values("periodic_ghosts", "periodic_wrap", "walls")),
                          [](const auto& set) {
                            return std::string(std::get<0>(set.param)) + "_" + std::get<1>(set.param);
                          });

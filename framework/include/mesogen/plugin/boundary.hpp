@@ -39,6 +39,10 @@ class MESOGEN_EXPORT Boundary {
 
   /// Keys beside the framework's own. Given in the case as `boundary = { type = "...", key = value }`.
   virtual void parameters(ParameterList& list);
+  /// Says what magnitudes it brings to the scene, such as the speed of a wall. Parameters are set.
+  virtual void scales(Scales& scales) const;
+  /// Refuses, by an Error, what its parameters cannot mean in this scene. Before everything below, once.
+  virtual void prepare(const Scene& scene);
   /// Does the box go on at its other side along this axis? By default yes. Told to observers and written to results.
   [[nodiscard]] virtual bool periodic(int axis) const;
   /// Does the cell grid itself continue on the other side along this axis (nothing is needed beyond its faces)?

@@ -24,15 +24,17 @@ enum class Phase {
 
 /// How a field that the framework advances in time is advanced.
 enum class Advance {
-  never,      ///< only passes write it
-  midpoint,   ///< f += dt * rate, the rate taken at the midpoint
-  predicted,  ///< first by dt/2 with the previous rate, then by dt/2 with the rate at the midpoint (velocity)
+  never,     ///< only passes write it
+  midpoint,  ///< f += dt * rate, the rate taken at the midpoint
+  /// first by dt/2 with the previous rate, then by dt/2 with the rate at the midpoint (velocity). Second order in time,
+  /// but for rates that depend on the field itself first: give such a force a step_limits()
+  predicted,
 };
 
 /// Between which values a field of a sound run stays, and what to do where it does not.
 struct FieldBounds {
-  double lowest;
-  double highest;
+  double lowest;       ///< in the unit of the field; of its length where it has several components
+  double highest;      ///< likewise
   std::string remedy;  ///< a sentence without its stop: "Raise sound_speed"
 };
 
@@ -43,8 +45,8 @@ struct MESOGEN_EXPORT FieldDeclaration {
   std::string unit_text = "1";
   std::string doc_text;
   Advance advance = Advance::never;
-  std::string rate;  ///< field that holds its rate of change
-  std::optional<FieldBounds> bounds;
+  std::string rate;                   ///< field that holds its rate of change
+  std::optional<FieldBounds> bounds;  ///< see stays_within
 
   FieldDeclaration& unit(std::string_view text);
   FieldDeclaration& doc(std::string_view text);

@@ -26,11 +26,11 @@ using Constants = std::map<std::string, double, std::less<>>;
 struct Scene {
   int dimension = 2;
   Precision precision = Precision::single_precision;
-  std::array<double, 3> box{};  ///< edge lengths, m
-  std::array<bool, 3> periodic{true, true, true};
-  double spacing = 0.0;           ///< initial distance of particles dx, m
-  double smoothing_length = 0.0;  ///< h, m
-  double support = 0.0;           ///< radius of the kernel, m
+  std::array<double, 3> box{};                     ///< edge lengths, m
+  std::array<bool, 3> periodic{true, true, true};  ///< by axis: does the box go on at its other side? Not at walls
+  double spacing = 0.0;                            ///< initial distance of particles dx, m
+  double smoothing_length = 0.0;                   ///< h, m
+  double support = 0.0;                            ///< radius of the kernel, m
   Index particle_count = 0;
   Scales scales;        ///< what the physics plugins said of their magnitudes
   Constants constants;  ///< what they published by name
