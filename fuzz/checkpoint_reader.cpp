@@ -5,7 +5,8 @@
 // file is made that is sound as such but need not be a checkpoint: objects missing, of other kinds, types, ranks and
 // sizes. Its seal is right, so all of it reaches the reader.
 //
-// Damaged bytes never reach HDF5 in Mesogen, which is not made for them: the checksum is looked at first.
+// Damaged bytes never reach HDF5 in Mesogen: the checksum is looked at first. HDF5 is not made for them; 1.10.8 reads
+// past its buffers when single bytes of a checkpoint's content are changed.
 
 #include <hdf5.h>
 
