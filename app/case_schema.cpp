@@ -86,6 +86,7 @@ class SchemaBuilder {
       if (!table_schema(plugin.keys).contains("required")) by_name.push_back(plugin.name);
     }
     Json table = choice_schema(type, branches);
+    if (kind == PluginKind::observer) table["not"] = {{"required", {"interval", "every"}}};
     if (kind == PluginKind::boundary) return {{"anyOf", {Json{{"type", "string"}, {"enum", by_name}}, table}}};
     if (!declared.section.instances) return table;
     Json named = {

@@ -17,30 +17,32 @@ namespace {
 struct Options {
   PluginFolders folders;
   std::string output;
+  bool overwrite = false;
 };
 
-ExitCode write(const Options& options, const std::string& text) {
+ExitCode write(const Options& options, std::string (*text)(const std::vector<PluginFacts>&)) {
+  if (!options.output.empty()) output::require_writable(options.output, options.overwrite);
+  const std::string all = text(all_plugin_facts(load_plugins(options.folders)));
   if (options.output.empty()) {
-    fmt::print("{}", text);
+    fmt::print("{}", all);
   } else {
-    output::write_file(options.output, text);
+    output::write_file(options.output, all, output::Owner::user);
   }
   return ExitCode::done;
 }
 
 ExitCode schema(const Options& options) {
-  return write(options, document(case_schema(all_plugin_facts(load_plugins(options.folders)))));
+  return write(options, [](const std::vector<PluginFacts>& plugins) { return document(case_schema(plugins)); });
 }
 
-ExitCode reference(const Options& options) {
-  return write(options, reference_text(all_plugin_facts(load_plugins(options.folders))));
-}
+ExitCode reference(const Options& options) { return write(options, reference_text); }
 
 void add(CLI::App& command, Action& action, const std::string& name, const std::string& description,
          ExitCode (*verb)(const Options&)) {
   const auto options = std::make_shared<Options>();
   auto* const added = command.add_subcommand(name, description);
   added->add_option("-o,--output", options->output, "File to write (default: print)")->type_name("FILE");
+  added->add_flag("--overwrite", options->overwrite, "Replace the file if it is there");
   add_plugin_path(*added, options->folders);
   added->callback([&action, options, verb] { action = [options, verb] { return verb(*options); }; });
 }

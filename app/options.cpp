@@ -11,8 +11,8 @@ void add_plugin_path(CLI::App& verb, PluginFolders& folders) {
       ->allow_extra_args(false);
 }
 
-PluginRegistry load_plugins(const PluginFolders& folders, bool quiet) {
-  auto registry = PluginRegistry::scan(folders);
+PluginRegistry load_plugins(const PluginFolders& folders, bool quiet, Twins twins) {
+  auto registry = PluginRegistry::scan(folders, twins);
   if (!quiet)
     for (const auto& line : registry.refusals()) fmt::print(stderr, "warning: plugin refused: {}\n", line);
   return registry;

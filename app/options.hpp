@@ -17,7 +17,7 @@ using PluginFolders = std::vector<std::filesystem::path>;
 void add_plugin_path(CLI::App& verb, PluginFolders& folders);
 
 /// Loads the plugins; tells on stderr which files were refused, unless `quiet`.
-PluginRegistry load_plugins(const PluginFolders& folders, bool quiet = false);
+PluginRegistry load_plugins(const PluginFolders& folders, bool quiet = false, Twins twins = Twins::refused);
 
 /// A case file, what is changed in it, and its plugins.
 struct CaseOptions {

@@ -7,6 +7,7 @@
 #include "case/nearest.hpp"
 #include "mesogen/testing/contract.hpp"
 #include "options.hpp"
+#include "plugin/instruction_set.hpp"
 #include "verbs.hpp"
 
 namespace mesogen::app {
@@ -32,16 +33,25 @@ std::pair<std::string, std::string> pair_of(const std::string& option, const std
 
 testing::ContractSettings settings_of(const Options& options) {
   testing::ContractSettings settings;
-  for (const auto& text : options.values) settings.values.insert(pair_of("--set", text));
+  for (const auto& text : options.values) {
+    const auto [key, value] = pair_of("--set", text);
+    settings.values.insert_or_assign(key, value);
+  }
   for (const auto& text : options.constants) {
     const auto [name, value] = pair_of("--constant", text);
     double number = 0.0;
     if (!CLI::detail::lexical_cast(value, number))
       throw Error(ExitCode::bad_case, fmt::format("--constant {}: {} is no number", text, value));
-    settings.constants.emplace(name, number);
+    settings.constants.insert_or_assign(name, number);
   }
   for (const auto& folder : options.folders) settings.folders += folder.string() + ":";
   return settings;
+}
+
+/// Is this the file, or what is loaded for it because the processor has a wider instruction set?
+bool is_loaded_for(const fs::path& loaded, const fs::path& file) {
+  std::error_code ignored;
+  return fs::equivalent(loaded, plugin::best_variant(file, plugin::usable_instruction_sets()).file, ignored);
 }
 
 /// All plugins that are meant, by name or by file. The folder of a file is searched too.
@@ -51,16 +61,16 @@ std::vector<const LoadedPlugin*> chosen(const PluginRegistry& registry, const Op
   std::vector<std::string> names;
   for (const auto& plugin : registry.all()) {
     names.emplace_back(plugin.descriptor->name);
-    const bool meant = file ? plugin.file.filename() == file->filename() &&
-                                  plugin.file.string().starts_with(fs::canonical(file->parent_path()).string())
-                            : names.back() == options.plugin;
-    if (meant) plugins.push_back(&plugin);
+    if (file ? is_loaded_for(plugin.file, *file) : names.back() == options.plugin) plugins.push_back(&plugin);
   }
   if (!plugins.empty()) return plugins;
   for (const auto& refused : registry.refused())
-    if (file ? refused.file.filename() == file->filename() : refused.file.stem() == options.plugin)
+    if (file ? is_loaded_for(refused.file, *file) : refused.file.stem() == options.plugin)
       throw Error(ExitCode::plugin_refused, fmt::format("the plugin \"{}\" was refused: {}: {}", options.plugin,
                                                         refused.file.string(), refused.reason));
+  if (file)
+    throw Error(ExitCode::bad_case,
+                fmt::format("{} is no plugin: Mesogen loads libraries whose names end in .so", options.plugin));
   throw Error(ExitCode::bad_case,
               fmt::format("no plugin is called \"{}\"{}; `mesogen plugin list` tells which there are", options.plugin,
                           did_you_mean(options.plugin, names)));
@@ -69,9 +79,10 @@ std::vector<const LoadedPlugin*> chosen(const PluginRegistry& registry, const Op
 bool report(const LoadedPlugin& plugin, const testing::ContractSettings& settings) {
   using Outcome = testing::ContractCheck::Outcome;
   const auto& descriptor = *plugin.descriptor;
+  const auto checks = testing::check_contract(descriptor.kind, descriptor.name, settings);
   fmt::print("{} {} {}: {}\n", to_string(descriptor.kind), descriptor.name, descriptor.version, plugin.file.string());
   std::size_t broken = 0;
-  for (const auto& check : testing::check_contract(descriptor.kind, descriptor.name, settings)) {
+  for (const auto& check : checks) {
     const auto* const word =
         check.outcome == Outcome::held ? "ok    " : (check.outcome == Outcome::note ? "note  " : "FAILED");
     fmt::print("  {}  {}{}{}\n", word, check.what, check.problem.empty() ? "" : ": ", check.problem);
@@ -87,9 +98,10 @@ ExitCode check(Options options) {
     file = fs::absolute(options.plugin);
     if (!fs::is_regular_file(*file))
       throw Error(ExitCode::bad_case, fmt::format("there is no plugin file {}", options.plugin));
-    options.folders.push_back(file->parent_path());
+    // First, so that the file goes before a twin that was installed.
+    options.folders.insert(options.folders.begin(), file->parent_path());
   }
-  const auto registry = load_plugins(options.folders, true);
+  const auto registry = load_plugins(options.folders, true, file ? Twins::first_folder : Twins::refused);
   const auto settings = settings_of(options);
   bool held = true;
   for (const auto* plugin : chosen(registry, options, file)) held = report(*plugin, settings) && held;

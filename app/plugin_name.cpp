@@ -25,9 +25,10 @@ constexpr std::array<std::string_view, 85> keywords{
     "try",       "typedef",  "typeid",     "typename",  "union",        "unsigned",      "using",
     "virtual"};
 
-// Targets that a build has by itself.
-constexpr std::array<std::string_view, 8> targets{"all",     "clean",   "edit_cache",    "help",
-                                                  "install", "package", "rebuild_cache", "test"};
+// Targets that a build has by itself, and one of Mesogen's own.
+constexpr std::array<std::string_view, 11> targets{"all",      "clean",         "depend",  "edit_cache",
+                                                   "help",     "install",       "package", "package_source",
+                                                   "programs", "rebuild_cache", "test"};
 
 template <class List>
 bool contains(const List& list, std::string_view word) {
@@ -48,6 +49,10 @@ std::string plugin_name_problem(std::string_view name) {
   if (contains(keywords, name))
     return fmt::format("\"{}\" cannot be the name of a plugin: it is a word of C++; take another, such as my_{}", name,
                        name);
+  if (name == "mesogen" || name.starts_with("mesogen_"))
+    return fmt::format(
+        "\"{}\" cannot be the name of a plugin: targets of Mesogen are called so; take another, such as my_plugin",
+        name);
   if (contains(targets, name))
     return fmt::format(
         "\"{}\" cannot be the name of a plugin: builds have a target of this name; take another, such "

@@ -1,7 +1,10 @@
 # mesogen_add_plugin(NAME name KIND kernel|boundary|physics|observer SOURCES ... [VECTORISED]
 #                    [TEST source...] [CONTRACT --set KEY=VALUE ...])
 #
-# Builds one plugin library into <build>/plugins and installs it into the plugin folder. Where tests are enabled, adds
+# Builds one plugin library into <build>/plugins and installs it into MESOGEN_PLUGIN_FOLDER: the plugin folder of the
+# Mesogen that was found, whatever CMAKE_INSTALL_PREFIX is, so that `cmake --install` is all it takes. With
+# -DMESOGEN_PLUGIN_FOLDER=lib/mesogen/plugins, or another folder, it goes there, beneath the prefix if it is relative.
+# Where tests are enabled, adds
 #   <name>.contract  what every plugin of its kind must hold: `mesogen plugin check`
 #   <name>.*         the GoogleTest cases of TEST, with mesogen/testing/plugin_harness.hpp at hand
 #

@@ -8,39 +8,12 @@
 #include <cmath>
 #include <regex>
 
+#include "contract_settings.hpp"
 #include "test_registry.hpp"
 
 namespace mesogen::testing {
 
 namespace {
-
-/// A value of a required parameter that is in its range, as TOML; see ContractSettings.
-std::string value_in_range(const Parameter& parameter) {
-  double number = 1.0;
-  const bool low = std::isfinite(parameter.lowest);
-  const bool high = std::isfinite(parameter.highest);
-  if (low && high) number = 0.5 * (parameter.lowest + parameter.highest);
-  if (low && !high) number = parameter.lowest + 1.0;
-  if (high && !low) number = parameter.highest - 1.0;
-  const std::string floating = fmt::format("{:.17g}", number);
-  const std::string text = parameter.choice_list.empty() ? "\"text\"" : '"' + parameter.choice_list.front() + '"';
-  const std::size_t size =
-      parameter.size_list.empty() ? 1 : *std::min_element(parameter.size_list.begin(), parameter.size_list.end());
-  std::string list;
-  for (std::size_t n = 0; n < size; ++n) list += (n > 0 ? ", " : "") + floating;
-  const std::string type = parameter.type_text();
-  if (type == "integer") return fmt::format("{:.0f}", std::ceil(number));
-  if (type == "true or false") return "false";
-  if (type == "text") return text;
-  if (type == "list of texts") return "[" + text + "]";
-  if (type.starts_with("list of lists")) return "[[" + list + "]]";
-  if (type.starts_with("list")) return "[" + list + "]";
-  return floating.find_first_of(".e") == std::string::npos ? floating + ".0" : floating;
-}
-
-bool is_text(const Parameter& parameter) {
-  return parameter.type_text() == "text" || (!parameter.word.empty() && parameter.type_text().starts_with("number"));
-}
 
 ParameterList parameters_of(PluginKind kind, const std::string& name, const PluginRegistry& registry,
                             std::shared_ptr<void>& owner) {
@@ -65,15 +38,8 @@ ContractRun::ContractRun(PluginKind kind, std::string name, const ContractSettin
   if (registry_.find(kind_, name_) == nullptr) throw registry_.missing(kind_, name_);
   std::shared_ptr<void> owner;
   const ParameterList list = parameters_of(kind_, name_, registry_, owner);
-  for (const Parameter& parameter : list.all())
-    if (parameter.is_required && !settings.values.contains(parameter.name))
-      keys_ += fmt::format("{} = {}\n", parameter.name, value_in_range(parameter));
-  for (const auto& [key, value] : settings.values) {
-    const auto known = std::ranges::find(list.all(), key, &Parameter::name);
-    const bool quote = known != list.all().end() && is_text(*known) && !value.starts_with('"') &&
-                       value.find_first_not_of("+-.0123456789e") != std::string::npos;
-    keys_ += fmt::format("{} = {}\n", key, quote ? '"' + value + '"' : value);
-  }
+  keys_ = keys_of(kind_, name_, list, settings);
+  require_constants(kind_, name_, keys_, registry_, settings);
 }
 
 void ContractRun::check(const std::string& what, const std::function<std::string()>& action) {

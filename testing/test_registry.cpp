@@ -16,7 +16,7 @@ const PluginRegistry& registry_of(std::string_view folders) {
   std::istringstream in{std::string(folders)};
   for (std::string folder; std::getline(in, folder, ':');)
     if (!folder.empty()) paths.emplace_back(folder);
-  return registries.emplace(folders, PluginRegistry::scan(paths)).first->second;
+  return registries.emplace(folders, PluginRegistry::scan(paths, Twins::first_folder)).first->second;
 }
 
 }  // namespace mesogen::testing

@@ -80,6 +80,14 @@ unset MESOGEN_PLUGIN_PATH
 quietly cmake --install own/my_physics/build
 "$mesogen" plugin info my_physics | grep -q "$prefix/lib/mesogen/plugins/my_physics.so" ||
   { echo "failed: my_physics was installed, but is not found" >&2; exit 1; }
+# It then is there twice; its tests are about the one that was built.
+quietly ctest --test-dir own/my_physics/build --output-on-failure --no-tests=error
+# Mesogen leaves the prefix of the project that finds it alone, and installs beneath it only when it is told to.
+grep -q "CMAKE_INSTALL_PREFIX:PATH=/usr/local" own/my_physics/build/CMakeCache.txt ||
+  { echo "failed: find_package(Mesogen) changed the prefix" >&2; exit 1; }
+quietly cmake -S own/my_kernel -B own/my_kernel/build -DMESOGEN_PLUGIN_FOLDER=plugins
+quietly cmake --install own/my_kernel/build --prefix "$work/prefix"
+[ -e "$work/prefix/plugins/my_kernel.so" ] || { echo "failed: my_kernel is not beneath the prefix" >&2; exit 1; }
 
 for file in "$source"/examples/*/CMakeLists.txt; do
   [ -e "$file" ] || continue

@@ -5,7 +5,9 @@
 //
 // (Kolmogorov 1941). What falls and rises in them tells the size of vortices; no grid is needed.
 
+#include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "mesogen/domain/point_cells.hpp"
 #include "mesogen/exec/compensated_sum.hpp"
@@ -25,7 +27,9 @@ class StructureFunction final : public Observer {
     list.integer("centres", centres_)
         .unit("1")
         .at_least(1)
-        .doc("particles, spread evenly over the ids, whose surroundings are looked at; the cost goes with it");
+        .doc(
+            "particles, at most all, spread evenly over the ids, whose surroundings are looked at; the cost goes with "
+            "it");
   }
 
   void plan(const Scene&, ObserverPlan& plan) override {
@@ -44,8 +48,9 @@ class StructureFunction final : public Observer {
     const auto v = particles.values("velocity", 1);
     const PointCells<2> cells(scene, points, largest / 4.0);
     std::vector<Bin> bins(static_cast<std::size_t>(bins_));
-    const std::size_t step = std::max<std::size_t>(1, points.size() / static_cast<std::size_t>(centres_));
-    for (std::size_t i = 0; i < points.size(); i += step) {
+    const std::size_t centres = std::min(points.size(), static_cast<std::size_t>(centres_));
+    for (std::size_t n = 0; n < centres; ++n) {
+      const std::size_t i = n * points.size() / centres;
       cells.within(points[i], largest, [&](Index j, const auto& way, double square) {
         const double distance = std::sqrt(square);
         const auto bin = static_cast<std::size_t>(distance / largest * static_cast<double>(bins_));

@@ -33,6 +33,21 @@ TEST(StructureFunction, IsThatOfAShearWave) {
   }
 }
 
+// On a lattice every centre finds the same number of others: 400 particles, of which 150 or all are centres.
+TEST(StructureFunction, LooksAroundAsManyParticlesAsItIsTold) {
+  const auto pairs = [](const char* keys) {
+    TestScene scene;
+    scene.arrangement = "lattice";
+    PluginHarness plugin(PluginKind::observer, "structure_function", keys, scene);
+    plugin.set("velocity", {1.0, 0.0});
+    return plugin.sample().at("structure_function").at(3);
+  };
+  const double one = pairs("bins = 1\nlargest = 0.12\ncentres = 1");
+  EXPECT_EQ(one, 20.0);  // (1,0) (1,1) (2,0) (2,1) and their images, within 2.4 spacings
+  EXPECT_EQ(pairs("bins = 1\nlargest = 0.12\ncentres = 150"), 150.0 * one);
+  EXPECT_EQ(pairs("bins = 1\nlargest = 0.12\ncentres = 1000"), 400.0 * one);
+}
+
 TEST(StructureFunction, IsNothingInAUniformFlow) {
   PluginHarness plugin(PluginKind::observer, "structure_function", "bins = 4");
   plugin.set("velocity", {3.0, -1.0});

@@ -132,8 +132,16 @@ bool holds_run(const fs::path& folder) {
       run_files, [&](const char* name) { return std::string(name) != "run.log" && fs::exists(folder / name, error); });
 }
 
-bool is_run_file(const fs::path& file) {
-  return std::ranges::find(run_files, file.filename().string()) != run_files.end();
+bool belongs_to_run(const fs::path& file) {
+  std::error_code error;
+  const fs::path parent = fs::weakly_canonical(fs::absolute(file).parent_path(), error);
+  if (error) return false;
+  const fs::path name = file.extension() == ".tmp" ? file.stem() : file.filename();
+  const bool is_run_file = name == "mesogen.lock" || std::ranges::find(run_files, name.string()) != run_files.end();
+  if (is_run_file && holds_run(parent)) return true;
+  for (fs::path folder = parent; folder.has_relative_path(); folder = folder.parent_path())
+    if (folder.filename() == "frames" && holds_run(folder.parent_path())) return true;
+  return false;
 }
 
 RunLock start_run_folder(const fs::path& given, const std::string& case_text, bool overwrite) {

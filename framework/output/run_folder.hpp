@@ -27,8 +27,9 @@ class MESOGEN_EXPORT RunLock {
 /// Does the folder hold files of a run?
 MESOGEN_EXPORT bool holds_run(const std::filesystem::path& folder);
 
-/// Is it one of the files that a run writes, by its name?
-MESOGEN_EXPORT bool is_run_file(const std::filesystem::path& file);
+/// Would writing this file harm a run: is it one of its files, or anything among its frames? Links on the way are
+/// followed.
+MESOGEN_EXPORT bool belongs_to_run(const std::filesystem::path& file);
 
 /// Makes a folder ready for a new run and stores the resolved case in it as case.toml. A new folder appears with its
 /// case.toml or not at all, so a run killed at any moment can be resumed if its folder is there.

@@ -16,7 +16,7 @@ void write_samples(const std::filesystem::path& file, const ResultsOptions& opti
   } catch (const hdf5::Failure& failure) {
     throw Error(ExitCode::run_failed, "cannot make " + file.string() + ": " + failure.what());
   }
-  output::write_file(file, bytes);
+  output::write_file(file, bytes, output::Owner::user);
 }
 
 }  // namespace mesogen

@@ -71,8 +71,9 @@ PluginRegistry PluginRegistry::only(const std::vector<fs::path>& folders) {
   return registry;
 }
 
-PluginRegistry PluginRegistry::scan(const std::vector<fs::path>& folders) {
+PluginRegistry PluginRegistry::scan(const std::vector<fs::path>& folders, Twins twins) {
   PluginRegistry registry;
+  registry.twins_ = twins;
   for (const auto& folder : folders) {
     require_folder(folder);
     registry.add_folder(folder);
@@ -98,6 +99,7 @@ void PluginRegistry::add_folder(const fs::path& folder) {
     if (entry->path().extension() == ".so" && !fs::is_directory(entry->status())) files.push_back(entry->path());
   if (error) refused_.push_back({where, "the folder cannot be read (" + error.message() + ")"});
   std::ranges::sort(files);
+  of_earlier_folders_ = plugins_.size();
   for (const auto& file : files) add_file(file);
 }
 
@@ -112,6 +114,8 @@ void PluginRegistry::add_file(const fs::path& file) {
   if (const auto* other = find(found.kind, found.name)) {
     // A link to a file that was loaded already is no second plugin.
     if (std::error_code ignored; fs::equivalent(other->file, chosen, ignored)) return;
+    const auto place = static_cast<std::size_t>(other - plugins_.data());
+    if (twins_ == Twins::first_folder && place < of_earlier_folders_) return;
     throw Error(ExitCode::plugin_refused,
                 fmt::format("two plugins of the kind {} are called \"{}\": {} and {}; remove or rename one",
                             to_string(found.kind), found.name, other->file.string(), chosen.string()));

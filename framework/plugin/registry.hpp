@@ -32,13 +32,18 @@ struct RefusedPlugin {
   std::string reason;
 };
 
+/// What two files are that offer plugins of the same kind and name.
+enum class Twins {
+  refused,      ///< an error: which one a run takes should not hang on the order of folders
+  first_folder  ///< the one of the folder searched first is taken, as a test of it must; in one folder still an error
+};
+
 /// All plugins that can be used.
 class MESOGEN_EXPORT PluginRegistry {
  public:
   /// Searches `folders` (--plugin-path), then those of the variable MESOGEN_PLUGIN_PATH (separated by colons), then the
-  /// folder of this installation. Throws Error if one of `folders` is no folder, and if two files offer plugins of the
-  /// same kind and name.
-  static PluginRegistry scan(const std::vector<std::filesystem::path>& folders = {});
+  /// folder of this installation. Throws Error if one of `folders` is no folder, and for twins that are refused.
+  static PluginRegistry scan(const std::vector<std::filesystem::path>& folders = {}, Twins twins = Twins::refused);
   /// Searches these folders and no others.
   static PluginRegistry only(const std::vector<std::filesystem::path>& folders);
 
@@ -71,6 +76,8 @@ class MESOGEN_EXPORT PluginRegistry {
 
   std::vector<std::filesystem::path> folders_;  // canonical, each searched once
   std::vector<LoadedPlugin> plugins_;
+  std::size_t of_earlier_folders_ = 0;  // how many of them, while a folder is searched
+  Twins twins_ = Twins::refused;
   std::vector<RefusedPlugin> refused_;
 };
 

@@ -4,11 +4,11 @@
 
 #include <algorithm>
 #include <optional>
-#include <system_error>
 
 #include "output/run_folder.hpp"
 #include "output/samples_file.hpp"
 #include "output/stored_frames.hpp"
+#include "output/write_file.hpp"
 #include "schedule/derived_name.hpp"
 #include "simulation/observation.hpp"
 #include "simulation/results_options.hpp"
@@ -128,12 +128,9 @@ output::SampleStore Replay::run() {
 }
 
 void check_output(const std::filesystem::path& file, bool overwrite) {
-  std::error_code error;
-  if (!overwrite && std::filesystem::exists(file, error))
-    throw Error(ExitCode::bad_case,
-                file.string() + " is there already: replace it with --overwrite, or choose another --output");
-  if (holds_run(file.parent_path()) && is_run_file(file))
+  if (belongs_to_run(file))
     throw Error(ExitCode::bad_case, file.string() + " belongs to a run: choose another --output");
+  output::require_writable(file, overwrite);
 }
 
 }  // namespace

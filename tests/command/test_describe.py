@@ -3,11 +3,13 @@
 import glob
 import json
 import os
+import resource
+import subprocess
 import tomllib
 import unittest
 
 import jsonschema
-from support import BROKEN_PLUGINS, CASE, PROJECT, CommandTest
+from support import BROKEN_PLUGINS, CASE, MESOGEN, PROJECT, CommandTest
 
 BAD_CASES = os.path.join(PROJECT, "tests", "fixtures", "bad_cases")
 
@@ -97,6 +99,11 @@ class Schema(CommandTest):
         self.assertEqual(list(self.errors_of_text(CASE.replace("end = 0.1", "end = 0.1\nfactor = 0.5\nstep = 0.1"))),
                          ["time"])
 
+    def test_an_observer_has_one_timing(self):
+        timing = '"flow_statistics"\ninterval = 0.05'
+        self.assertEqual(self.errors_of_text(CASE.replace(timing, '"flow_statistics"\nevery = 3')), {})
+        self.assertEqual(list(self.errors_of_text(CASE.replace(timing, timing + "\nevery = 3"))), ["observers.flow"])
+
     def test_keys_carry_unit_meaning_and_default(self):
         flow = self.schema["definitions"]["physics.wcsph"]["properties"]
         self.assertEqual(flow["viscosity"]["description"], "mu: dynamic viscosity, in Pa s")
@@ -113,8 +120,34 @@ class Schema(CommandTest):
         self.assertEqual(self.mesogen("schema", "-o", "case.schema.json"), ("", ""))
         with open(self.path("case.schema.json"), encoding="utf-8") as file:
             self.assertEqual(json.load(file), self.schema)
-        _, err = self.mesogen("schema", "-o", "nowhere/case.schema.json", code=1)
-        self.assertIn("nowhere", err)
+        _, err = self.mesogen("schema", "-o", "nowhere/case.schema.json", code=2)
+        self.assertIn("error: cannot write nowhere/case.schema.json: there is no folder nowhere; make it first, or choose "
+                      "another --output\n", err)
+
+    def test_file_that_is_there_already(self):
+        for verb in ("schema", "reference"):
+            case = self.write_case()
+            _, err = self.mesogen(verb, "-o", case, code=2)
+            self.assertIn("case.toml is there already: replace it with --overwrite, or choose another --output\n", err)
+            with open(case, encoding="utf-8") as file:
+                self.assertEqual(file.read(), CASE)
+            self.mesogen(verb, "-o", case, "--overwrite")
+            with open(case, encoding="utf-8") as file:
+                self.assertEqual(file.read(), self.mesogen(verb)[0])
+        _, err = self.mesogen("schema", "-o", ".", "--overwrite", code=2)
+        self.assertIn("error: . is a folder: name a file in it with --output\n", err)
+
+    def test_full_disk(self):
+        # A limit on the size of files gives the same answer as a full disk.
+        def limit():
+            resource.setrlimit(resource.RLIMIT_FSIZE, (1000, resource.RLIM_INFINITY))
+
+        done = subprocess.run([MESOGEN, "schema", "-o", "case.schema.json"], cwd=self.folder, env=self.environment(),
+                              text=True, capture_output=True, preexec_fn=limit, check=False)
+        self.assertEqual((done.returncode, done.stderr),
+                         (1, "error: cannot write case.schema.json: File too large; make room and try again, or choose "
+                             "another place with --output\n"))
+        self.assertEqual(os.listdir(self.folder), [])
 
 
 class Reference(CommandTest):
@@ -124,7 +157,7 @@ class Reference(CommandTest):
         with open(os.path.join(PROJECT, "docs", "reference.md"), encoding="utf-8") as file:
             committed = file.read()
         self.assertTrue(out == committed, "docs/reference.md is out of date; renew it: build/release/bin/mesogen "
-                                          "reference -o docs/reference.md")
+                                          "reference -o docs/reference.md --overwrite")
 
     def test_page_names_no_files_of_this_machine(self):
         out, _ = self.mesogen("reference")

@@ -2,11 +2,13 @@
 
 import os
 import re
+import shutil
 import unittest
 
-from support import BROKEN_PLUGINS, CommandTest
+from support import BROKEN_PLUGINS, MESOGEN, CommandTest
 
 UNFIT = os.path.join(os.path.dirname(BROKEN_PLUGINS), "unfit_plugins")
+PLUGINS = os.path.join(os.path.dirname(os.path.dirname(MESOGEN)), "lib", "mesogen", "plugins")
 
 
 class PluginCheck(CommandTest):
@@ -118,8 +120,12 @@ class PluginCheck(CommandTest):
                           r"after restore\(\): keep in save\(\) all that it remembers")
 
     def test_values_that_others_give(self):
-        out, _ = self.mesogen("plugin", "check", "elastic_stress", code=1)
-        self.assertIn("elastic_stress needs the 'flow_alignment' of a nematic", out)
+        out, err = self.mesogen("plugin", "check", "elastic_stress", code=2)
+        self.assertEqual(out, "")
+        self.assertEqual(err, "error: elastic_stress needs numbers that another plugin of a case would publish: add "
+                              "--constant elastic_constant=VALUE --constant flow_alignment=VALUE\n")
+        _, err = self.mesogen("plugin", "check", "elastic_stress", "--constant", "flow_alignment=0.7", code=2)
+        self.assertIn("would publish: add --constant elastic_constant=VALUE\n", err)
         self.mesogen("plugin", "check", "elastic_stress", "--constant", "flow_alignment=0.7", "--constant",
                      "elastic_constant=0.02")
 
@@ -128,11 +134,43 @@ class PluginCheck(CommandTest):
                 (["quintik"], 'no plugin is called "quintik"; did you mean "quintic"?; `mesogen plugin list` tells'),
                 (["nowhere/quintic.so"], "there is no plugin file nowhere/quintic.so"),
                 (["friction", "--set", "coefficient"], "--set coefficient: must be KEY=VALUE"),
-                (["friction", "--constant", "density=much"], "--constant density=much: much is no number")):
-            _, err = self.mesogen("plugin", "check", *arguments, code=2)
+                (["friction", "--constant", "density=much"], "--constant density=much: much is no number"),
+                (["friction", "--set", "coeficient=1.0"],
+                 'error: --set: coeficient: unknown key; did you mean "coefficient"?\n'),
+                (["friction", "--set", "coefficient=abc"], "error: --set: coefficient: must be a number in "),
+                (["friction", "--set", "type=wcsph"],
+                 "error: --set: type: a key of the framework: only parameters of the plugin can be set here\n")):
+            out, err = self.mesogen("plugin", "check", *arguments, code=2)
             self.assertIn(message, err)
-        out, _ = self.mesogen("plugin", "check", "friction", "--set", "coeficient=1.0", code=1)
-        self.assertIn('physics.tested.coeficient: unknown key; did you mean "coefficient"?', out)
+            self.assertEqual(out, "")
+
+    def test_of_two_values_the_last_is_taken(self):
+        self.mesogen("plugin", "check", "friction", "--set", "coefficient=abc", "--set", "coefficient=1.0")
+        self.mesogen("plugin", "check", "friction", "--set", "coefficient=1.0", "--set", "coefficient=abc", code=2)
+
+    def test_the_file_goes_before_a_twin_that_is_installed(self):
+        own = self.path("plug", "quintic.so")
+        os.mkdir(self.path("plug"))
+        shutil.copy(os.path.join(PLUGINS, "quintic.so"), own)
+        out, _ = self.mesogen("plugin", "check", own)
+        self.assertTrue(out.startswith(f"kernel quintic 1.0.0: {own}\n"), out)
+        self.assertEqual(out.count("kernel quintic"), 1)
+
+    def test_a_folder_whose_name_begins_alike(self):
+        for folder in ("plug", "plug2"):
+            os.mkdir(self.path(folder))
+        shutil.copy(os.path.join(PLUGINS, "quintic.so"), self.path("plug2"))
+        with open(self.path("plug", "quintic.so"), "w", encoding="utf-8") as file:
+            file.write("no library")
+        _, err = self.mesogen("plugin", "check", "plug/quintic.so", "--plugin-path", "plug2", code=3)
+        self.assertIn("plug/quintic.so: it is not a shared library", err)
+
+    def test_a_file_that_is_no_plugin(self):
+        _, err = self.mesogen("plugin", "check", MESOGEN, code=2)
+        self.assertIn(f"{MESOGEN} is no plugin: Mesogen loads libraries whose names end in .so", err)
+        library = os.path.join(BROKEN_PLUGINS, "no_descriptor", "no_descriptor.so")
+        _, err = self.mesogen("plugin", "check", library, code=3)
+        self.assertIn("it exports no `mesogen_plugin`, so it is not a Mesogen plugin", err)
 
     def test_refused_plugin(self):
         folder = os.path.join(BROKEN_PLUGINS, "wrong_abi")

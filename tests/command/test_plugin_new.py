@@ -1,9 +1,10 @@
 """plugin new: what it writes and what it refuses. That this builds and runs is for tests/out_of_tree.sh."""
 
 import os
+import subprocess
 import unittest
 
-from support import CommandTest
+from support import PROJECT, CommandTest
 
 KINDS = ("kernel", "boundary", "physics", "observer")
 
@@ -24,7 +25,7 @@ class PluginNew(CommandTest):
             self.assertEqual(sorted(os.listdir(self.path(f"my_{kind}"))),
                              ["CMakeLists.txt", f"my_{kind}.cpp", f"test_my_{kind}.cpp"])
             self.assertIn(f'"my_{kind}", "1.0.0"', self.read(f"my_{kind}", f"my_{kind}.cpp"))
-            self.assertIn(f"class My{kind.capitalize()} final", self.read(f"my_{kind}", f"my_{kind}.cpp"))
+            self.assertIn(f"class My{kind.capitalize()}Plugin final", self.read(f"my_{kind}", f"my_{kind}.cpp"))
             build = self.read(f"my_{kind}", "CMakeLists.txt")
             self.assertIn(f"mesogen_add_plugin(NAME my_{kind} KIND {kind} ", build)
             for name in os.listdir(self.path(f"my_{kind}")):
@@ -52,7 +53,25 @@ class PluginNew(CommandTest):
                       self.refused("physics", "double"))
         self.assertIn('"test" cannot be the name of a plugin: builds have a target of this name; take another, such as '
                       "my_test", self.refused("physics", "test"))
+        for name in ("mesogen", "mesogen_options"):
+            self.assertIn(f'"{name}" cannot be the name of a plugin: targets of Mesogen are called so; take another, such '
+                          "as my_plugin", self.refused("physics", name))
+        self.assertIn("builds have a target of this name", self.refused("physics", "programs"))
         self.assertEqual(os.listdir(self.folder), [])
+
+    def test_names_that_are_words_of_mesogen_compile(self):
+        headers = [f"-I{os.path.join(PROJECT, part, 'include')}" for part in ("framework", "testing")]
+        for kind, name in (("boundary", "boundary"), ("physics", "add_force"), ("physics", "index"),
+                           ("observer", "by_id"), ("kernel", "kernel")):
+            folder = f"{kind}_{name}"
+            self.mesogen("plugin", "new", kind, name, folder)
+            for file in (f"{name}.cpp", f"test_{name}.cpp"):
+                done = subprocess.run(["c++", "-std=c++20", "-fsyntax-only", "-fopenmp", "-Wall", "-Wextra", "-Wshadow",
+                                       "-Werror", "-DBOOST_DLL_USE_STD_FS", *headers, self.path(folder, file)], text=True,
+                                      capture_output=True, check=False)
+                self.assertEqual(done.returncode, 0, done.stderr)
+                if name != "boundary":
+                    break  # tests name their plugin in texts alone: one is enough
 
     def test_folder_that_holds_something(self):
         self.mesogen("plugin", "new", "kernel", "narrow")

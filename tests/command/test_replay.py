@@ -142,8 +142,23 @@ class Replay(CommandTest):
         self.assertIn("out/replay.h5 is there already: replace it with --overwrite, or choose another --output",
                       self.refused("out"))
         self.mesogen("replay", "out", "--quiet", "--overwrite")
-        self.assertIn("out/results.h5 belongs to a run: choose another --output",
-                      self.refused("out", "--overwrite", "--output", "out/results.h5"))
+
+    def test_files_of_a_run_are_not_overwritten(self):
+        self.run_once()
+        os.mkdir(self.path("out", "frames"))  # as it is until the run is complete
+        os.symlink("out/frames", self.path("link"))
+        for file in ("out/results.h5", "out/mesogen.lock", "out/checkpoint_a.h5.tmp", "out/frames/000001.h5",
+                     "out/frames/new.h5", "out/frames/../frames/000001.h5", "link/000001.h5"):
+            self.assertIn(f"{file} belongs to a run: choose another --output",
+                          self.refused("out", "--overwrite", "--output", file))
+        os.makedirs(self.path("mine", "frames"))
+        self.mesogen("replay", "out", "--output", "mine/frames/new.h5", "--quiet")
+
+    def test_folder_of_the_output_that_is_not_there(self):
+        self.run_once()
+        err = self.refused("out", "--output", "sub/x.h5")
+        self.assertEqual(err, "error: cannot write sub/x.h5: there is no folder sub; make it first, or choose another "
+                              "--output\n")
 
     def test_only_observers_can_be_changed(self):
         self.run_once()

@@ -1,42 +1,21 @@
 """A run to be broken off, and whether what it left is what the unbroken run has."""
 
 import os
+import sys
 
 import h5py
 import numpy
 
-# Small and quick, but with all that a run writes: frames, samples, observers that remember, checkpoints all the time.
-CASE = """\
-title = "Endurance"
-[domain]
-size = [3.2, 3.2]
-boundary = "periodic_ghosts"
-[particles]
-spacing = 0.1
-[kernel]
-type = "quintic"
-smoothing_length = 1.3333
-[director]
-type = "modes"
-modes = [[1, 0, 0.4, 0.3], [0, 1, 0.3, 1.1]]
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.dirname(os.path.abspath(__file__))), "command"))
+from small_case import CASE as SMALL  # noqa: E402
+
+# Quick, but with all that a run writes: frames, samples, observers that remember, checkpoints all the time.
+CHANGES = {"size = [1.6, 1.6]": "size = [3.2, 3.2]", "viscosity = 0.5": "viscosity = 0.1",
+           "activity = 0.05": "activity = 0.3", "end = 0.1": "end = 6.0"}
+CASE = SMALL.split("[observers.flow]")[0] + """\
 [velocity]
 type = "uniform"
 value = [0.5, -0.3]
-[physics.flow]
-type = "wcsph"
-density = 1.0
-viscosity = 0.1
-[physics.nematic]
-type = "beris_edwards"
-rotational_diffusivity = 0.4
-flow_alignment = 0.7
-elastic_constant = 0.02
-bulk = { A = -1.0, B = 0.0, C = 0.5 }
-[physics.activity]
-type = "active_stress"
-activity = 0.3
-[time]
-end = 6.0
 [observers.flow]
 type = "flow_statistics"
 interval = 0.1
@@ -52,6 +31,9 @@ checkpoint_interval = 0.02
 [run]
 precision = "single"
 """
+for small, large in CHANGES.items():
+    assert CASE.count(small) == 1, small
+    CASE = CASE.replace(small, large)
 FLUID = "particles/fluid"
 
 

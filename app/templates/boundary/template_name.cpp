@@ -9,7 +9,7 @@ namespace {
 
 using namespace mesogen;
 
-class TemplateName final : public Boundary {
+class TemplateNamePlugin final : public Boundary {
  public:
   [[nodiscard]] bool wraps(int axis) const override { return axis == 0; }
 
@@ -40,4 +40,4 @@ class TemplateName final : public Boundary {
 
 }  // namespace
 
-MESOGEN_BOUNDARY_PLUGIN(TemplateName, "template_name", "1.0.0", "Periodic box: wrapped along x, copies along y")
+MESOGEN_BOUNDARY_PLUGIN(TemplateNamePlugin, "template_name", "1.0.0", "Periodic box: wrapped along x, copies along y")

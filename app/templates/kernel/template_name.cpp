@@ -3,19 +3,19 @@
 
 namespace {
 
-/// Cubic spline, q = r / h (Monaghan & Lattanzio 1985, Astron. Astrophys. 149, 135):
+/// Quartic spline, q = r / h (Schoenberg 1946, Quart. Appl. Math. 4, 45):
 ///
-///     f(q) = (2 - q)_+^3 - 4 (1 - q)_+^3
+///     f(q) = (2.5 - q)_+^4 - 5 (1.5 - q)_+^4 + 10 (0.5 - q)_+^4
 ///
-/// Two continuous derivatives, support 2 h. Normalisation 5 / (14 pi h^2) in 2D.
-class TemplateName final : public mesogen::Kernel {
+/// Three continuous derivatives, support 2.5 h. Normalisation 96 / (1199 pi h^2) in 2D.
+class TemplateNamePlugin final : public mesogen::Kernel {
  public:
   // Each piece: its knot, then the coefficients of (knot - q)_+^power, ^(power + 1), ... The framework normalises.
   [[nodiscard]] mesogen::sph::KernelShape shape() const override {
-    return {.pieces = {{2.0, {1.0}}, {1.0, {-4.0}}}, .power = 3};
+    return {.pieces = {{2.5, {1.0}}, {1.5, {-5.0}}, {0.5, {10.0}}}, .power = 4};
   }
 };
 
 }  // namespace
 
-MESOGEN_KERNEL_PLUGIN(TemplateName, "template_name", "1.0.0", "Cubic spline, support 2 h")
+MESOGEN_KERNEL_PLUGIN(TemplateNamePlugin, "template_name", "1.0.0", "Quartic spline, support 2.5 h")

@@ -12,9 +12,9 @@ using namespace mesogen::testing;
 TEST(TemplateName, HasTheKnownShape) {
   PluginHarness plugin(PluginKind::kernel, "template_name");
   const auto shape = plugin.kernel().shape();
-  EXPECT_EQ(shape.support(), 2.0);
-  EXPECT_DOUBLE_EQ(shape.value(1.0) / shape.value(0.0), 0.25);
-  EXPECT_NEAR(shape.normalisation(2), 5.0 / (14.0 * std::numbers::pi), 1e-14);
+  EXPECT_EQ(shape.support(), 2.5);
+  EXPECT_NEAR(shape.value(1.0) / shape.value(0.0), 38.0 / 115.0, 1e-14);  // (3^4 - 5) / (5^4 - 5 * 3^4 + 10)
+  EXPECT_NEAR(shape.normalisation(2), 96.0 / (1199.0 * std::numbers::pi), 1e-14);
 }
 
 // What a run makes with it: on a lattice the volume of a particle is the square of the spacing, as well as the kernel

@@ -11,7 +11,7 @@ namespace {
 
 using namespace mesogen;
 
-class TemplateName final : public Observer {
+class TemplateNamePlugin final : public Observer {
  public:
   // What it reads and what it records; keys of its section in a case would be named in parameters(), as in a physics
   // plugin.
@@ -33,4 +33,4 @@ class TemplateName final : public Observer {
 
 }  // namespace
 
-MESOGEN_OBSERVER_PLUGIN(TemplateName, "template_name", "1.0.0", "Mean speed of the particles")
+MESOGEN_OBSERVER_PLUGIN(TemplateNamePlugin, "template_name", "1.0.0", "Mean speed of the particles")

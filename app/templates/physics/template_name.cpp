@@ -18,7 +18,7 @@ struct AddForce {
 };
 
 template <class Real, int Dim>
-class TemplateName final : public Physics {
+class TemplateNamePlugin final : public Physics {
  public:
   // Keys of its section in a case, checked before a run: unit, range, and a default or required().
   void parameters(ParameterList& list) override {
@@ -39,4 +39,4 @@ class TemplateName final : public Physics {
 
 }  // namespace
 
-MESOGEN_PHYSICS_PLUGIN(TemplateName, "template_name", "1.0.0", "Uniform force on the fluid along x")
+MESOGEN_PHYSICS_PLUGIN(TemplateNamePlugin, "template_name", "1.0.0", "Uniform force on the fluid along x")

@@ -123,6 +123,15 @@ TEST(PluginRegistry, RefusesTwoOfOneKindAndNameNamingBothFiles) {
   EXPECT_TRUE(contains(text, "second_twin.so")) << text;
 }
 
+TEST(PluginRegistry, TakesTheTwinOfTheFirstFolderIfTold) {
+  for (const auto& [first, second] : {std::pair("twin_a", "twin_b"), std::pair("twin_b", "twin_a")}) {
+    const auto registry = PluginRegistry::scan({broken(first), broken(second)}, Twins::first_folder);
+    const auto* twin = registry.find(PluginKind::kernel, "twin");
+    ASSERT_NE(twin, nullptr);
+    EXPECT_EQ(twin->file.parent_path(), fs::canonical(broken(first)));
+  }
+}
+
 TEST(PluginRegistry, TakesAFolderGivenTwiceOnce) {
   const auto registry = PluginRegistry::only({broken("twin_a"), broken("twin_a/../twin_a")});
   EXPECT_EQ(registry.names(PluginKind::kernel), std::vector<std::string>{"twin"});

@@ -30,7 +30,8 @@ struct ContractSettings {
 };
 
 /// Loads the plugin by the real loader and runs it in scenes with seeded fields. Never throws for what is wrong with
-/// the plugin, only if there is none of this name.
+/// the plugin, only Error if there is none of this name, or if the settings do not fit it: a key that it does not know,
+/// a value that it does not take, a constant that it needs and nobody gives.
 MESOGEN_EXPORT std::vector<ContractCheck> check_contract(PluginKind kind, std::string_view name,
                                                          const ContractSettings& settings = {});
 
