@@ -26,8 +26,11 @@ void ask(PluginFacts& facts, Boundary& boundary) { ask_keys(facts, boundary); }
 
 void ask(PluginFacts& facts, Physics& physics) {
   ask_keys(facts, physics);
+  Constants constants;
   PassList list;
   try {
+    call_plugin(facts.name, "constants()", [&] { physics.constants(constants); });
+    for (const auto& [name, value] : constants) facts.constants.push_back(name);
     call_plugin(facts.name, "passes()", [&] { physics.passes(list); });
   } catch (const Error& error) {
     // A plugin may need its required parameters for this.

@@ -31,6 +31,7 @@ struct PluginFacts {
   std::vector<Pass> passes;              ///< without their bodies
   std::string velocity;                  ///< moves the particles with this field
   std::string shift;                     ///< and, beside it, with this one
+  std::vector<std::string> constants;    ///< that it publishes by name
 
   std::vector<std::string> reads;  ///< observers
   std::vector<std::string> reads_if_present;

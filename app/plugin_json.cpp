@@ -81,6 +81,7 @@ Json info_json(const PluginFacts& plugin) {
   if (plugin.kind == PluginKind::physics) {
     one["fields"] = fields_json(plugin);
     one["passes"] = passes_json(plugin);
+    one["constants"] = plugin.constants;
     one["moves_particles"] = {{"velocity", plugin.velocity}, {"shift", plugin.shift}};
   }
   if (plugin.kind == PluginKind::observer) {

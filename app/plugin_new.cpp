@@ -96,7 +96,8 @@ std::string write_plugin(PluginKind kind, const std::string& name, const fs::pat
   text += fmt::format("    cmake -S {0} -B {0}/build -DCMAKE_PREFIX_PATH={1}\n", where, installation().string());
   text += fmt::format("    cmake --build {0}/build && ctest --test-dir {0}/build\n", where);
   text += fmt::format("let Mesogen find it, or install it with: cmake --install {}/build\n", where);
-  text += fmt::format("    export MESOGEN_PLUGIN_PATH={}\n", fs::absolute(folder / "build" / "plugins").string());
+  text += fmt::format("    export MESOGEN_PLUGIN_PATH={}${{MESOGEN_PLUGIN_PATH:+:$MESOGEN_PLUGIN_PATH}}\n",
+                      fs::absolute(folder / "build" / "plugins").string());
   text += fmt::format("use it in a case:\n    {}\n", use_in_a_case(kind, name));
   return text;
 }

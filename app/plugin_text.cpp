@@ -74,6 +74,7 @@ void tell_passes(Text& text, const PluginFacts& plugin) {
     text.list("    writes", pass.write_list);
     text.list("    adds to", pass.accumulate_list);
   }
+  text.list("publishes the constants", plugin.constants);
   if (!plugin.velocity.empty())
     text.line("moves particles with: {}{}", plugin.velocity, plugin.shift.empty() ? "" : ", " + plugin.shift);
 }

@@ -132,6 +132,7 @@ void write_passes(Page& page, const PluginFacts& plugin) {
       page.row({pass.name, std::string(to_string(pass.phase)), codes(pass.own_reads), codes(pass.neighbour_reads),
                 codes(pass.optional_reads), codes(pass.write_list), codes(pass.accumulate_list)});
   }
+  if (!plugin.constants.empty()) page.line("\nPublishes the constants {}.", codes(plugin.constants));
   if (!plugin.velocity.empty())
     page.line("\nParticles move with {}{}.", code(plugin.velocity),
               plugin.shift.empty() ? "" : " and " + code(plugin.shift));

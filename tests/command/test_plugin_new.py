@@ -31,7 +31,8 @@ class PluginNew(CommandTest):
             for name in os.listdir(self.path(f"my_{kind}")):
                 self.assertNotRegex(self.read(f"my_{kind}", name), "(?i)template_?(name|kind)")
             self.assertIn(f"cmake -S my_{kind} -B my_{kind}/build -DCMAKE_PREFIX_PATH=", out)
-            self.assertIn(f"export MESOGEN_PLUGIN_PATH={os.path.realpath(self.folder)}/my_{kind}/build/plugins", out)
+            self.assertIn(f"export MESOGEN_PLUGIN_PATH={os.path.realpath(self.folder)}/my_{kind}/build/plugins"
+                          "${MESOGEN_PLUGIN_PATH:+:$MESOGEN_PLUGIN_PATH}\n", out)
             self.assertIn(f'type = "my_{kind}"' if kind != "boundary" else 'boundary = "my_boundary"', out)
 
     def test_writes_into_the_folder_that_is_named(self):

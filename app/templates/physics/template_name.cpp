@@ -33,6 +33,8 @@ class TemplateNamePlugin final : public Physics {
     });
   }
 
+  // A force that grows with velocity or gradients also overrides step_limits(): see plugins/physics/friction.
+
  private:
   double force_ = 0.0;
 };
