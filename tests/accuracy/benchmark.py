@@ -13,7 +13,7 @@ import tempfile
 
 import h5py
 
-CASE = pathlib.Path(__file__).resolve().parents[2] / "cases/benchmark/case.toml"
+CASE = pathlib.Path(__file__).resolve().parents[2] / "cases/accuracy/benchmark/case.toml"
 TIME = 40.0  # s
 REFERENCE = 0.075667  # m/s, pseudo-spectral
 BOUNDS = {36: 0.030, 48: 0.018, 72: 0.008}

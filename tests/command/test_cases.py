@@ -139,7 +139,7 @@ class Looks(CommandTest):
 
     def test_check_of_every_case_of_the_project(self):
         cases = [os.path.join(folder, file) for folder, _, files in os.walk(os.path.join(PROJECT, "cases"))
-                 for file in files if file.endswith(".toml")]
+                 for file in files if file.endswith(".toml") and file != "answer.toml"]
         self.assertTrue(cases)
         for case in cases:
             out, _ = self.mesogen("check", case)

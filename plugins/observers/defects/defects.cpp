@@ -30,6 +30,7 @@ class Defects final : public Observer {
     plan.scalar("count_plus").doc("number of defects of charge +1/2");
     plan.scalar("count_minus").doc("number of defects of charge -1/2");
     plan.scalar("total_charge").doc("sum of the charges; always 0 in a periodic box");
+    plan.scalar("pair_distance").unit("m").doc("smallest distance between defects of opposite charges; NaN without");
     auto& table = plan.table("defects", 4);
     table.unit("m, m, 1, rad")
         .doc(
@@ -52,13 +53,15 @@ class Defects final : public Observer {
     double plus = 0.0;
     double minus = 0.0;
     std::vector<double> rows;
-    for (const auto& defect : without_close_pairs(grid.defects(), scene, merge_distance_ * scene.spacing)) {
+    const auto defects = without_close_pairs(grid.defects(), scene, merge_distance_ * scene.spacing);
+    for (const auto& defect : defects) {
       (defect.charge > 0.0 ? plus : minus) += 1.0;
       rows.insert(rows.end(), {defect.position[0], defect.position[1], defect.charge, defect.orientation});
     }
     sample.set("count_plus", plus);
     sample.set("count_minus", minus);
     sample.set("total_charge", 0.5 * (plus - minus));
+    sample.set("pair_distance", pair_distance(defects, scene));
     sample.set("defects", std::move(rows));
   }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <tuple>
 
@@ -177,6 +178,23 @@ std::vector<Defect> without_close_pairs(const std::vector<Defect>& defects, cons
     if (!gone[i]) kept.push_back(defects[i]);
   }
   return kept;
+}
+
+double pair_distance(const std::vector<Defect>& defects, const Scene& scene) {
+  double smallest = std::numeric_limits<double>::infinity();  // squared
+  for (const auto& plus : defects) {
+    if (plus.charge < 0.0) continue;
+    for (const auto& minus : defects) {
+      if (minus.charge > 0.0) continue;
+      double square = 0.0;
+      for (std::size_t d = 0; d < 2; ++d) {
+        const double along = plus.position[d] - minus.position[d];
+        square += std::pow(scene.periodic[d] ? std::remainder(along, scene.box[d]) : along, 2);
+      }
+      smallest = std::min(smallest, square);
+    }
+  }
+  return std::isfinite(smallest) ? std::sqrt(smallest) : std::numeric_limits<double>::quiet_NaN();
 }
 
 }  // namespace mesogen::defects

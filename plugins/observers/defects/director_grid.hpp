@@ -59,4 +59,8 @@ class DirectorGrid {
 /// Without pairs of opposite charges closer than `distance`, m: closest pairs first. The total charge stays as it is.
 std::vector<Defect> without_close_pairs(const std::vector<Defect>& defects, const Scene& scene, double distance);
 
+/// Smallest distance between defects of opposite charges, m; across the faces of the box where it is periodic. NaN
+/// where there is no such pair.
+double pair_distance(const std::vector<Defect>& defects, const Scene& scene);
+
 }  // namespace mesogen::defects

@@ -204,6 +204,19 @@ TEST(Defects, ClosePairsAreLeftOut) {
   EXPECT_EQ(observer_for(context, 7.0).number(context, "count_minus"), 0.0);
 }
 
+TEST(Defects, PairDistanceIsThatOfTheClosestOppositeCharges) {
+  const auto distance = [](const Director& director) {
+    auto context = lattice();
+    director.give_to(context);
+    return observer_for(context).number(context, "pair_distance");
+  };
+  const Director inside{{{0.4, 0.3, 0.5}, {0.8, 0.3, -0.5}, {0.8, 0.9, 0.5}, {0.4, 0.9, -0.5}}};
+  EXPECT_NEAR(distance(inside), 0.4, 0.1 * spacing);
+  const Director across_a_face{{{1.4, 0.3, 0.5}, {1.8, 0.3, -0.5}, {1.8, 0.9, 0.5}, {1.4, 0.9, -0.5}}};
+  EXPECT_NEAR(distance(across_a_face), 0.4, 0.1 * spacing);
+  EXPECT_TRUE(std::isnan(distance(Director{})));
+}
+
 TEST(Defects, AHoleInTheParticlesIsFilledFromItsRim) {
   const auto director = four_defects(0.81, 0.587);
   auto context = lattice();

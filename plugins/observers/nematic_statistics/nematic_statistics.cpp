@@ -1,4 +1,4 @@
-/// How well a nematic is ordered, and its free energy.
+/// How well a nematic is ordered, how evenly its director lies, and its free energy.
 ///
 /// Order q = sqrt(Q11^2 + Q12^2), director angle = atan2(Q12, Q11) / 2. Free energy (Landau-de Gennes, one elastic
 /// constant, per metre of depth), with Tr Q^2 = 2 q^2 and |grad Q|^2 = sum_ijk (d_k Q_ij)^2
@@ -34,6 +34,7 @@ class NematicStatistics final : public Observer {
     plan.scalar("mean_order").doc("mean over particles of the order q = sqrt(Q11^2 + Q12^2)");
     plan.scalar("minimum_order").doc("smallest order q of a particle");
     plan.scalar("mean_director_angle").unit("rad").doc("director of the mean order tensor, in (-pi/2, pi/2]");
+    plan.scalar("tilt_rms").unit("rad").doc("root mean square angle between a particle's director and the mean one");
     plan.scalar("free_energy")
         .unit("J/m")
         .doc("Landau-de Gennes free energy per metre of depth; NaN without constants");
@@ -59,10 +60,22 @@ class NematicStatistics final : public Observer {
     sample.set("mean_order", order.value() / static_cast<double>(particles.count()));
     sample.set("minimum_order", smallest);
     sample.set("mean_director_angle", angle);
+    sample.set("tilt_rms", tilt(q11, q12, angle));
     sample.set("free_energy", free_energy(context, particles, q11, q12));
   }
 
  private:
+  /// rad; a director has no head: no tilt is above pi/2. Taken from Q turned back by the mean angle, so that a small
+  /// tilt keeps its digits.
+  static double tilt(const std::vector<double>& q11, const std::vector<double>& q12, double mean_angle) {
+    const double cosine = std::cos(2.0 * mean_angle);
+    const double sine = std::sin(2.0 * mean_angle);
+    exec::CompensatedSum squares;
+    for (std::size_t i = 0; i < q11.size(); ++i)
+      squares.add(std::pow(0.5 * std::atan2(q12[i] * cosine - q11[i] * sine, q11[i] * cosine + q12[i] * sine), 2));
+    return std::sqrt(squares.value() / static_cast<double>(q11.size()));
+  }
+
   static double free_energy(const ObserverContext& context, const ById& particles, const std::vector<double>& q11,
                             const std::vector<double>& q12) {
     const double bulk_a = context.constant("bulk_A");
@@ -88,4 +101,4 @@ class NematicStatistics final : public Observer {
 }  // namespace mesogen
 
 MESOGEN_OBSERVER_PLUGIN(mesogen::NematicStatistics, "nematic_statistics", "1.0.0",
-                        "Order, mean director and free energy of a nematic")
+                        "Order, mean director, tilt and free energy of a nematic")

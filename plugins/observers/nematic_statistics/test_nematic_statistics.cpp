@@ -79,6 +79,21 @@ TEST(NematicStatistics, MeanDirectorAngleIsAboveMinusHalfPi) {
   EXPECT_NEAR(uniform(1.0, -1.5).sample().at("mean_director_angle")[0], -1.5, 1e-14);
 }
 
+TEST(NematicStatistics, TiltIsMeasuredFromTheMeanDirector) {
+  auto context = uniform(0.8, 1.3);
+  EXPECT_NEAR(value(context, "tilt_rms"), 0.0, 1e-15);
+  // 80 and -80 degrees: 10 degrees to either side of the y axis.
+  const double angle = 80.0 / 180.0 * pi;
+  set_director(
+      context, [](double x, double) { return x < 1.0 ? 0.2 : 0.9; },
+      [=](double, double y) { return y < length / 2 ? angle : -angle; });
+  EXPECT_NEAR(value(context, "tilt_rms"), 10.0 / 180.0 * pi, 1e-12);
+  // a wave of amplitude a: a / sqrt(2)
+  set_director(
+      context, [](double, double) { return 1.0; }, [](double x, double) { return 0.7 + 1e-6 * std::cos(k * x); });
+  EXPECT_NEAR(value(context, "tilt_rms"), 1e-6 / std::sqrt(2.0), 1e-14);
+}
+
 TEST(NematicStatistics, ElasticEnergyOfATwist) {
   auto context = uniform(0.5, 0.0);
   set_director(
