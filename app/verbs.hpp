@@ -23,5 +23,6 @@ void add_field(CLI::App& command, Action& action);
 void add_schema(CLI::App& command, Action& action);
 void add_reference(CLI::App& command, Action& action);
 void add_report(CLI::App& command, Action& action);
+void add_chart(CLI::App& command, Action& action);
 
 }  // namespace mesogen::app

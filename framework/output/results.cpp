@@ -113,8 +113,9 @@ void ResultsWriter::write_views() {
   changed_ = false;
 }
 
-void ResultsWriter::finish() {
+void ResultsWriter::finish(std::optional<RunCost> cost) {
   if (finished_) return;
+  content_.cost = cost;
   output::pack(options_, content_);
   output::write_file(options_.folder / "results.xdmf", output::xdmf_text(options_, content_));
   finished_ = true;

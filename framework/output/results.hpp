@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -40,8 +41,8 @@ class MESOGEN_EXPORT ResultsWriter {
   void add_frame(const std::vector<FrameField>& fields, std::int64_t step, double time);
   /// All samples are on disk when it returns. Call it before each checkpoint.
   void flush();
-  /// Packs the run into one file and removes frames/. Uses the memory of one field of one frame.
-  void finish();
+  /// Packs the run into one file, with what it took, and removes frames/. Uses the memory of one field of one frame.
+  void finish(std::optional<RunCost> cost = {});
 
   [[nodiscard]] std::int64_t frame_count() const { return static_cast<std::int64_t>(content_.frames.size()); }
   /// Step of the last frame; -1 if there is none.

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,16 @@ struct ResultsOptions {
   Index count = 0;  ///< particles
 };
 
+/// What a finished run took: of its last session alone, if it was resumed.
+struct RunCost {
+  std::int64_t first_step = 0;  ///< the session's; above 0 only if the run was resumed
+  std::int64_t steps = 0;
+  double wall_seconds = 0.0;  ///< of stepping with its output, without start-up
+  double cpu_seconds = 0.0;   ///< the same, of all threads
+  int threads = 0;
+  std::int64_t peak_memory = 0;  ///< resident, bytes; 0 where the system does not tell
+};
+
 namespace output {
 
 /// What results.h5 holds, without the values of the particles.
@@ -32,6 +43,7 @@ struct ResultsContent {
   std::vector<FieldShape> fields;  ///< in the order of their names
   std::vector<FrameStamp> frames;
   SampleStore samples;
+  std::optional<RunCost> cost;  ///< of a finished run
 };
 
 }  // namespace output

@@ -18,7 +18,17 @@ std::string author() {
   return user == nullptr || user->pw_name == nullptr ? "unknown" : user->pw_name;
 }
 
-void write_header(const Id& file, const ResultsOptions& options) {
+void write_cost(const Id& parameters, const RunCost& cost) {
+  const Id group = hdf5::create_group(parameters, "cost");
+  hdf5::write_attribute(group, "first_step", cost.first_step);
+  hdf5::write_attribute(group, "steps", cost.steps);
+  hdf5::write_attribute(group, "wall_seconds", cost.wall_seconds);
+  hdf5::write_attribute(group, "cpu_seconds", cost.cpu_seconds);
+  hdf5::write_attribute(group, "threads", static_cast<std::int64_t>(cost.threads));
+  hdf5::write_attribute(group, "peak_memory", cost.peak_memory);
+}
+
+void write_header(const Id& file, const ResultsOptions& options, const std::optional<RunCost>& cost) {
   const Id h5md = hdf5::create_group(file, "h5md");
   hdf5::write_attribute(h5md, "version", std::vector<std::int64_t>{1, 1});
   hdf5::write_attribute(hdf5::create_group(h5md, "author"), "name", author());
@@ -31,6 +41,7 @@ void write_header(const Id& file, const ResultsOptions& options) {
   hdf5::write_text(parameters, "version", options.version);
   hdf5::write_text(parameters, "build", options.build);
   hdf5::write(parameters, "seed", {}, std::vector<std::int64_t>{options.seed});
+  if (cost) write_cost(parameters, *cost);
 }
 
 void write_box(const Id& fluid, const ResultsOptions& options) {
@@ -137,7 +148,7 @@ hdf5::Dimensions value_dimensions(const FieldShape& field, std::size_t frames, s
 
 void write_structure(const hdf5::Id& file, const ResultsOptions& options, const ResultsContent& content,
                      Layout layout) {
-  write_header(file, options);
+  write_header(file, options, content.cost);
   const Id fluid = hdf5::create_group(hdf5::create_group(file, "particles"), "fluid");
   write_box(fluid, options);
   std::vector<std::int64_t> id(static_cast<std::size_t>(options.count));

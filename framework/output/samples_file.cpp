@@ -11,7 +11,7 @@ void write_samples(const std::filesystem::path& file, const ResultsOptions& opti
   std::vector<std::byte> bytes;
   try {
     const hdf5::Id memory = hdf5::create_in_memory();
-    output::write_structure(memory, options, {{}, {}, samples}, output::Layout::packed);
+    output::write_structure(memory, options, {{}, {}, samples, {}}, output::Layout::packed);
     bytes = hdf5::image(memory);
   } catch (const hdf5::Failure& failure) {
     throw Error(ExitCode::run_failed, "cannot make " + file.string() + ": " + failure.what());

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "diagnostics/resources.hpp"
 #include "output/run_folder.hpp"
 #include "simulation/observation.hpp"
 #include "simulation/results_options.hpp"
@@ -77,6 +78,7 @@ class Run {
     const World& world = stepper_.world();
     write_checkpoint(results);
     const auto begun = Clock::now();
+    const double cpu_before = cpu_seconds();
     auto saved = begun;
     const std::int64_t first = world.step;
     progress_.start(world.time, world.step, end());
@@ -101,6 +103,7 @@ class Run {
       throw;
     }
     const double stepping = seconds_since(begun);
+    const double cpu = cpu_seconds() - cpu_before;
     progress_.finish(world.time, world.step);
     // Not twice the same: the two that are kept are to be two.
     if (saved_step_ != world.step) write_checkpoint(results);
@@ -109,7 +112,12 @@ class Run {
                             options_.folder.string()));
       return ExitCode::interrupted;
     }
-    results.finish();
+    results.finish(RunCost{.first_step = first,
+                           .steps = world.step - first,
+                           .wall_seconds = stepping,
+                           .cpu_seconds = cpu,
+                           .threads = omp_get_max_threads(),
+                           .peak_memory = peak_memory()});
     report(world.step - first, stepping);
     return ExitCode::done;
   }

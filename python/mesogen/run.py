@@ -2,6 +2,7 @@
 
 import os
 import tomllib
+from collections import namedtuple
 
 import h5py
 import numpy as np
@@ -10,6 +11,10 @@ from . import nematics
 from .errors import MesogenError, NoResults, NoSuchName, missing
 
 GROUP = "particles/fluid"
+
+# What a finished run took, of its last session alone if it was resumed (first_step > 0): steps; wall_seconds of
+# stepping, without start-up; cpu_seconds of all threads; threads; peak_memory (resident, bytes).
+Cost = namedtuple("Cost", "first_step steps wall_seconds cpu_seconds threads peak_memory")
 
 
 def open(path):
@@ -94,6 +99,12 @@ class Run:
     def version(self):
         """The version of Mesogen that made the results, "" if not stored."""
         return self._parameter("version") or ""
+
+    @property
+    def cost(self):
+        """What the run took, as a Cost; None before its end."""
+        group = self._file.get("parameters/cost")
+        return None if group is None else Cost(*(group.attrs[name].item() for name in Cost._fields))
 
     def _parameter(self, name):
         group = self._file.get("parameters")

@@ -62,6 +62,35 @@ TEST(Results, AreH5md) {
   EXPECT_EQ(reader.array("parameters/seed").values, (std::vector<double>{42}));
 }
 
+TEST(Results, TellWhatTheRunTookOnceItIsFinished) {
+  const TemporaryFolder folder;
+  ResultsWriter writer = ResultsWriter::create(options_in(folder.path()));
+  declare(writer);
+  advance(writer, 0, 4);
+  writer.flush();
+  EXPECT_EQ(H5Lexists(Reader(folder.path() / "results.h5").file(), "parameters/cost", H5P_DEFAULT), 0);
+  writer.finish(RunCost{.first_step = 2,
+                        .steps = 3,
+                        .wall_seconds = 1.5,
+                        .cpu_seconds = 2.25,
+                        .threads = 2,
+                        .peak_memory = std::int64_t{1} << 40});
+  const Reader reader(folder.path() / "results.h5");
+  const auto number = [&](const char* name) {
+    double value = 0.0;
+    const hid_t attribute = H5Aopen_by_name(reader.file(), "parameters/cost", name, H5P_DEFAULT, H5P_DEFAULT);
+    EXPECT_GE(H5Aread(attribute, H5T_NATIVE_DOUBLE, &value), 0) << name;
+    H5Aclose(attribute);
+    return value;
+  };
+  EXPECT_EQ(number("first_step"), 2.0);
+  EXPECT_EQ(number("steps"), 3.0);
+  EXPECT_EQ(number("wall_seconds"), 1.5);
+  EXPECT_EQ(number("cpu_seconds"), 2.25);
+  EXPECT_EQ(number("threads"), 2.0);
+  EXPECT_EQ(number("peak_memory"), 1099511627776.0);
+}
+
 TEST(Results, HoldTablesOfFixedAndVaryingSize) {
   const TemporaryFolder folder;
   ResultsWriter writer = ResultsWriter::create(options_in(folder.path()));

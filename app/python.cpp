@@ -1,0 +1,62 @@
+#include "python.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <new>
+
+#include "install.hpp"
+#include "mesogen/diagnostics/error.hpp"
+
+namespace mesogen::app {
+
+namespace {
+
+constexpr const char* python = "/usr/bin/python3";
+
+// Runs a module of the package as a command; before it, names the Debian packages that are missing, where there is no
+// traceback to read.
+constexpr const char* program = R"(
+import importlib.util, runpy, sys
+verb, module = sys.argv[1:3]
+missing = [name for name in ("numpy", "h5py", "matplotlib") if importlib.util.find_spec(name) is None]
+if missing:
+    sys.exit("error: mesogen " + verb + " needs " + ", ".join(missing) + " for Python; install them with: "
+             + "apt-get install " + " ".join("python3-" + name for name in missing))
+sys.argv[:3] = ["mesogen " + verb]
+runpy.run_module(module, run_name="__main__")
+)";
+
+/// The Python package lies beside the libraries, in a build as in an installation.
+std::filesystem::path package_folder() {
+  const auto folder = installation() / "lib" / "mesogen" / "python";
+  if (!std::filesystem::exists(folder / "mesogen" / "__init__.py"))
+    throw Error(ExitCode::run_failed,
+                fmt::format("the Python package is missing: {} is not there; install Mesogen again", folder.string()));
+  return folder;
+}
+
+}  // namespace
+
+void hand_over(const std::string& verb, const std::string& module, const std::vector<std::string>& arguments) {
+  const char* before = std::getenv("PYTHONPATH");
+  std::string path = package_folder().string();
+  if (before != nullptr && *before != '\0') path += std::string(":") + before;
+  if (setenv("PYTHONPATH", path.c_str(), 1) != 0) throw std::bad_alloc();
+
+  std::vector<std::string> words{python, "-c", program, verb, module};
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  std::vector<char*> pointers;
+  for (auto& word : words) pointers.push_back(word.data());
+  pointers.push_back(nullptr);
+  execv(python, pointers.data());
+  throw Error(ExitCode::run_failed, fmt::format("{} cannot be started ({}); install it with: apt-get install python3 "
+                                                "python3-numpy python3-h5py python3-matplotlib",
+                                                python, std::strerror(errno)));
+}
+
+}  // namespace mesogen::app

@@ -1,0 +1,127 @@
+"""A study of kind "accuracy", as a file:
+
+    title = "Taylor-Green vortices"
+    kind = "accuracy"
+    scene = "../cases/accuracy/taylor_green"    # relative to this file
+    resolutions = [25, 50, 100]                 # particles across
+    repeats = 3                                 # for the times: medians are taken
+    threads = 1
+    timeout = 600                               # s of wall time, optional: a run that takes longer has failed
+    seeds = [1, 2, 3]                           # optional: each run for each particles.seed
+    [common]                                    # optional: changed in all runs
+    "time.end" = 0.4
+    [variant.default]
+    [variant.wendland_c4]
+    note = "smoother kernel"                    # optional, for the table
+    resolutions = [25, 50]                      # optional: instead of the study's
+    "kernel.type" = "wendland_c4"               # keys of the case, dotted and quoted
+"""
+
+import os
+from dataclasses import dataclass
+
+from .errors import StudyError
+from .overrides import digest, read_overrides
+from .scene import Scene, read_scene
+from .table_reader import TableReader, nearest
+
+
+@dataclass(frozen=True)
+class Variant:
+    name: str
+    overrides: dict
+    resolutions: tuple
+    note: str
+
+
+@dataclass(frozen=True)
+class Job:
+    """One run to do. Runs of one key differ only in their repeat, and so in their time alone."""
+
+    key: str
+    variant: str
+    resolution: int
+    seed: int | None
+    repeat: int
+    overrides: dict
+
+    @property
+    def name(self):
+        return f"{self.variant} {self.resolution}" + ("" if self.seed is None else f" seed {self.seed}")
+
+
+@dataclass(frozen=True)
+class AccuracyStudy:
+    file: str
+    title: str
+    scene: Scene
+    repeats: int
+    threads: int
+    timeout: float | None
+    seeds: tuple
+    common: dict
+    variants: tuple
+
+    def only(self, names):
+        """The study with these variants alone, all if there are none. Raises StudyError for a name that is none."""
+        known = [variant.name for variant in self.variants]
+        for name in names:
+            if name not in known:
+                raise StudyError(f"--only: no variant '{name}' in {self.file}{nearest(name, known)}")
+        chosen = tuple(variant for variant in self.variants if not names or variant.name in names)
+        return AccuracyStudy(**{**vars(self), "variants": chosen})
+
+    def jobs(self):
+        """All runs, in the order in which they are done: every point once, coarse ones first, then all again, so that
+        a machine that slows down for a while does so for all alike."""
+        return [
+            self.job(variant, resolution, seed, repeat)
+            for repeat in range(1, self.repeats + 1)
+            for resolution in sorted({n for variant in self.variants for n in variant.resolutions})
+            for seed in self.seeds or (None,)
+            for variant in self.variants
+            if resolution in variant.resolutions
+        ]
+
+    def job(self, variant, resolution, seed=None, repeat=1):
+        overrides = {**self.common, **variant.overrides, "particles.spacing": self.scene.answer.across / resolution}
+        if seed is not None:
+            overrides["particles.seed"] = seed
+        key = digest(self.scene.data, self.scene.answer.data, overrides, self.threads)
+        return Job(key, variant.name, resolution, seed, repeat, overrides)
+
+
+def read_accuracy_study(file, data):
+    """The study, checked. Raises StudyError with all that is wrong."""
+    problems = []
+    table = TableReader(data, file, problems)
+    table.text("kind")
+    title = table.text("title")
+    place = table.text("scene")
+    resolutions = tuple(table.integers("resolutions", at_least=2) or ())
+    repeats, threads = table.integer("repeats", 1), table.integer("threads", 1)
+    timeout = table.number("timeout", default=None, above=0)
+    seeds = tuple(table.integers("seeds", default=[], at_least=0))
+    common_table = table.table("common")
+    common = read_overrides(common_table)
+    variants = tuple(_variant(name, one, resolutions) for name, one in table.named_tables("variant").items())
+    table.finish()
+    scene = None
+    if place is not None:
+        try:
+            scene = read_scene(os.path.normpath(os.path.join(os.path.dirname(file), place)), problems)
+        except StudyError as error:
+            problems += [f"{table.place('scene')}: {problem}" for problem in error.problems]
+    if problems:
+        raise StudyError(problems)
+    return AccuracyStudy(file, title, scene, repeats, threads, timeout, seeds, common, variants)
+
+
+def _variant(name, table, resolutions):
+    reserved = ("note", "resolutions")
+    overrides = read_overrides(table, reserved)
+    if "particles.spacing" in overrides:
+        table.refuse("particles.spacing", "is chosen by the resolutions; leave it out")
+    note = table.text("note", "")
+    own = table.integers("resolutions", default=list(resolutions), at_least=2)
+    return Variant(name, overrides, tuple(sorted(own)), note)

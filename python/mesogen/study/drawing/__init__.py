@@ -1,0 +1,1 @@
+"""The charts of studies. Each module draws one, deterministically: equal points give equal bytes."""

@@ -1,0 +1,89 @@
+"""runs.csv: one line for every run that ended. Lines are only ever appended, whole and synced, so that a study that was
+killed loses at most the run that was on."""
+
+import contextlib
+import csv
+import fcntl
+import io
+import os
+
+from .errors import StudyError
+
+
+class Ledger:
+    """The lines of one file, each a dictionary of texts. Numbers are written so that they lose no digit."""
+
+    def __init__(self, file, columns):
+        self.file, self.columns = file, list(columns)
+        self.rows = self._read()
+
+    def _read(self):
+        try:
+            with open(self.file, encoding="utf-8", newline="") as stream:
+                text = stream.read()
+        except FileNotFoundError:
+            return []
+        whole = text[: text.rfind("\n") + 1]  # a line without its end was being written when the study was killed
+        if len(whole) < len(text):
+            with open(self.file, "r+b") as stream:
+                stream.truncate(len(whole.encode()))
+        rows = list(csv.reader(io.StringIO(whole)))
+        if rows and rows[0] != self.columns:
+            raise StudyError(f"{self.file}: its columns are not those of this version; move the file away, and all runs "
+                             "are done again")
+        for number, row in enumerate(rows[1:], start=2):
+            if len(row) != len(self.columns):
+                raise StudyError(f"{self.file}:{number}: has {len(row)} columns instead of {len(self.columns)}; remove "
+                                 "the line, and its run is done again")
+        return [dict(zip(self.columns, row, strict=True)) for row in rows[1:]]
+
+    def add(self, row):
+        """Appends a line; it is on disk when this returns."""
+        values = ["" if row.get(name) is None else _text(row[name]) for name in self.columns]
+        stream = io.StringIO()
+        writer = csv.writer(stream, lineterminator="\n")
+        if not os.path.exists(self.file) or os.path.getsize(self.file) == 0:
+            writer.writerow(self.columns)
+        writer.writerow(values)
+        handle = os.open(self.file, os.O_WRONLY | os.O_APPEND | os.O_CREAT, 0o644)
+        try:
+            os.write(handle, stream.getvalue().encode())
+            os.fsync(handle)
+        finally:
+            os.close(handle)
+        self.rows.append(dict(zip(self.columns, values, strict=True)))
+
+
+def _text(value):
+    if isinstance(value, float):
+        return repr(value)
+    return " ".join(str(value).split("\n"))
+
+
+@contextlib.contextmanager
+def locked(folder):
+    """The folder, made if need be, for this process alone. Raises StudyError if another study writes there."""
+    os.makedirs(folder, exist_ok=True)
+    with open(os.path.join(folder, ".lock"), "w", encoding="ascii") as lock:
+        try:
+            fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except BlockingIOError:
+            raise StudyError(f"another study is writing into {folder}; choose another folder with --output, or wait") from None
+        yield folder
+
+
+def write_file(path, text):
+    """Replaces a file as a whole."""
+    with open(path + ".tmp", "w", encoding="utf-8", newline="") as stream:
+        stream.write(text)
+    os.replace(path + ".tmp", path)
+
+
+def csv_text(columns, rows):
+    """A CSV of rows (sequences); numbers lose no digit, None is empty."""
+    stream = io.StringIO()
+    writer = csv.writer(stream, lineterminator="\n")
+    writer.writerow(columns)
+    for row in rows:
+        writer.writerow(["" if value is None else _text(value) for value in row])
+    return stream.getvalue()

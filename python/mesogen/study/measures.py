@@ -1,0 +1,85 @@
+"""How far a run is from what is known: the one place where an error is defined.
+
+Each quantity of an answer has a measure, which makes numbers of a recorded series. A number's error is
+|number - exact| / scale, with scale = |exact| unless the answer gives one. The error of a run is the root of the mean
+square of all these errors: 0.01 is 1 %.
+
+A measure is an entry of MEASURES: `of(run, quantity)` gives the numbers, `count(at)` says how many they are. A new one
+is added there, and tested on a series whose answer is known (python/tests/test_study_measures.py).
+"""
+
+from collections import namedtuple
+
+import numpy as np
+
+from .errors import StudyError
+
+Measure = namedtuple("Measure", "of count doc")
+
+
+def value(run, quantity):
+    """The series at the times `at`."""
+    time, series = _series(run, quantity)
+    return [interpolate(time, series, at) for at in quantity.at]
+
+
+def growth_rate(run, quantity):
+    """Slope of log(series) over the two times `at`, by least squares over the samples there (1/s)."""
+    time, series = _series(run, quantity)
+    first, last = quantity.at
+    slack = 1e-9 * max(abs(first), abs(last))
+    chosen = (time >= first - slack) & (time <= last + slack)
+    if chosen.sum() < 2:
+        raise StudyError(f"{_name(quantity)} has {chosen.sum()} samples from t = {first:g} to {last:g} s, and a growth "
+                         "rate needs two: let the observer sample oftener")
+    if not (series[chosen] > 0).all():
+        raise StudyError(f"{_name(quantity)} is not above 0 from t = {first:g} to {last:g} s: it has no growth rate")
+    return [float(np.polyfit(time[chosen], np.log(series[chosen]), 1)[0])]
+
+
+MEASURES = {
+    "value": Measure(value, len, "the series at the times `at`"),
+    "growth_rate": Measure(growth_rate, lambda at: 1, "the slope of its logarithm between two times"),
+}
+
+
+def error(run, quantities):
+    """The relative error of a run, root mean square over all that is known.
+
+    run: mesogen.Run; quantities: those of the answer. Raises MesogenError if something was not recorded.
+    """
+    errors = [
+        (number - exact) / (quantity.scale or abs(exact))
+        for quantity in quantities
+        for number, exact in zip(MEASURES[quantity.measure].of(run, quantity), quantity.exact, strict=True)
+    ]
+    return float(np.sqrt(np.mean(np.square(errors))))
+
+
+def interpolate(time, series, at):
+    """The series at a time, by the cubic through the four samples around it (fewer where there are fewer).
+
+    Observers sample at the first step that reaches their time, which is not quite it. Raises StudyError beyond the ends.
+    """
+    slack = 1e-6 * max(abs(at), 1e-300)
+    if not len(time) or at < time[0] - slack or at > time[-1] + slack:
+        span = f"from t = {time[0]:g} to {time[-1]:g} s" if len(time) else "never"
+        raise StudyError(f"the answer is for t = {at:g} s, but the series was recorded {span}")
+    nearest = int(np.argmin(np.abs(time - at)))
+    if abs(time[nearest] - at) <= slack:
+        return float(series[nearest])
+    first = min(max(int(np.searchsorted(time, at)) - 2, 0), max(len(time) - 4, 0))
+    x, y = time[first : first + 4], series[first : first + 4]
+    weights = [np.prod([(at - b) / (a - b) for b in x if b != a]) for a in x]
+    return float(np.dot(weights, y))
+
+
+def _name(quantity):
+    return f"{quantity.observer}.{quantity.column}"
+
+
+def _series(run, quantity):
+    time, series = run.series(quantity.observer, quantity.column)
+    if series.ndim != 1:
+        raise StudyError(f"{_name(quantity)} is a table, and an answer is about one number at a time")
+    return time, series

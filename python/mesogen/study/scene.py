@@ -1,0 +1,89 @@
+"""A scene: a case, and what is known about it as data with its source.
+
+    cases/accuracy/NAME/case.toml      an ordinary case
+    cases/accuracy/NAME/answer.toml    what it must give:
+
+        title = "Shear wave"
+        source = "exact: u decays as exp(-nu k^2 t)"
+        across = 1.0              # m; resolution N means particles.spacing = across / N
+        [[quantity]]
+        series = "flow.v_rms"     # the observer's name in the case, and its quantity
+        measure = "value"         # or another of measures.py
+        at = [0.1, 0.2]           # s
+        exact = [0.61, 0.52]      # in the unit of the series
+        scale = 0.7               # optional: error = |value - exact| / scale; by default |exact|
+"""
+
+import os
+from dataclasses import dataclass
+
+from .measures import MEASURES
+from .table_reader import TableReader, read_toml
+
+
+@dataclass(frozen=True)
+class Quantity:
+    """One thing that is known: what the measure must give for this series."""
+
+    observer: str
+    column: str
+    measure: str
+    at: tuple
+    exact: tuple
+    scale: float | None
+
+
+@dataclass(frozen=True)
+class Answer:
+    file: str
+    title: str
+    source: str
+    across: float
+    quantities: tuple
+    data: dict  # as it was read
+
+
+@dataclass(frozen=True)
+class Scene:
+    case: str  # file
+    data: dict  # the case as it was read
+    answer: Answer | None
+
+
+def read_scene(path, problems, answer_required=True):
+    """The scene in a folder, or a case file with the answer.toml beside it, if there is one.
+
+    Raises StudyError where a file cannot be read; what is wrong in the answer is added to `problems`.
+    """
+    folder, case = (path, os.path.join(path, "case.toml")) if os.path.isdir(path) else (os.path.dirname(path), path)
+    answer = os.path.join(folder, "answer.toml")
+    data = read_toml(case, "scene's case")
+    known = answer_required or os.path.exists(answer)
+    return Scene(case, data, read_answer(answer, problems) if known else None)
+
+
+def read_answer(file, problems):
+    """The answer.toml, checked."""
+    data = read_toml(file, "scene's answer")
+    table = TableReader(data, file, problems)
+    title, source = table.text("title"), table.text("source")
+    across = table.number("across", above=0)
+    quantities = tuple(_quantity(one) for one in table.tables("quantity"))
+    table.finish()
+    return Answer(file, title, source, across, quantities, data)
+
+
+def _quantity(table):
+    series = table.text("series")
+    if series is not None and series.count(".") != 1:
+        table.refuse("series", f"'{series}' must be OBSERVER.QUANTITY, the observer as the case names it")
+        series = None
+    measure = table.text("measure", choices=list(MEASURES))
+    at = table.numbers("at", count=2 if measure == "growth_rate" else None)
+    exact = table.numbers("exact", count=None if measure is None or at is None else MEASURES[measure].count(at))
+    scale = table.number("scale", default=None, above=0)
+    if exact is not None and scale is None and 0 in exact:
+        table.refuse("exact", "is 0, so that the error cannot be relative to it: give a scale")
+    table.finish()
+    observer, column = series.split(".") if series else ("", "")
+    return Quantity(observer, column, measure, tuple(at or ()), tuple(exact or ()), scale)

@@ -1,0 +1,99 @@
+"""The tables of an accuracy study: Markdown for people, CSV for programs."""
+
+import math
+
+from .analysis import LEVELS, by_variant, cheapest, front, order, reach
+from .ledger import csv_text
+
+
+def points_csv(points):
+    columns = ("variant", "resolution", "error", "wall_seconds", "wall_seconds_min", "wall_seconds_max", "cpu_seconds",
+               "steps", "peak_memory", "runs", "failure")
+    return csv_text(columns, [
+        (p.variant, p.resolution, *(None if math.isnan(x) else x for x in (
+            p.error, p.wall, p.wall_low, p.wall_high, p.cpu, p.steps, p.memory)), p.runs, p.failure)
+        for p in points
+    ])
+
+
+def markdown(study, points, rows):
+    """The whole page. rows: those of the ledger that the points were made of, for the machine and the versions."""
+    return "\n".join([f"# {study.title}", "", *_head(study, rows), "", *_point_table(study, points), "",
+                      *_level_tables(points)]) + "\n"
+
+
+def _head(study, rows):
+    answer = study.scene.answer
+    lines = [f"Scene: {answer.title}. {answer.source.strip()}", ""]
+    for what, column in (("Machine", "machine"), ("Mesogen", "version")):
+        found = sorted({row[column] for row in rows})
+        lines += [f"{what}: {'; '.join(found)}" + (" (MIXED: times are not comparable)" if len(found) > 1 else ""), ""]
+    dates = sorted({row["date"][:10] for row in rows})
+    span = dates[0] if len(dates) == 1 else f"{dates[0]} to {dates[-1]}" if dates else "never"
+    threads = f"{study.threads} thread{'s' if study.threads != 1 else ''}"
+    lines.append(f"Run on {span} with {threads}; medians of {study.repeats} run{'s' if study.repeats != 1 else ''}"
+                 + (f" for each of {len(study.seeds)} seeds" if study.seeds else "") + ". Wall time is that of stepping.")
+    return lines
+
+
+def percent(error):
+    """A relative error with three digits: 1.23 %, 0.0456 %."""
+    return f"{100 * error:.3g} %" if 1e-4 <= error < 10 else f"{100 * error:.2e} %"
+
+
+def seconds(value):
+    return "" if math.isnan(value) else f"{value:.3g}"
+
+
+def _table(header, rows):
+    """Markdown, its columns aligned so that it reads well on a terminal too; numbers stand to the right."""
+    cells = [header, *([str(cell).replace("|", "\\|") for cell in row] for row in rows)]
+    widths = [max(3, *(len(row[i]) for row in cells)) for i in range(len(header))]
+    left = [i for i, name in enumerate(header) if name in ("variant", "note", "cheapest", "how")]
+    def line(row):
+        return "| " + " | ".join(c.ljust(w) if i in left else c.rjust(w)
+                                 for i, (c, w) in enumerate(zip(row, widths, strict=True))) + " |"
+    rule = "|" + "|".join("-" * (w + 2) if i in left else "-" * (w + 1) + ":" for i, w in enumerate(widths)) + "|"
+    return [line(cells[0]), rule, *(line(row) for row in cells[1:])]
+
+
+def _point_table(study, points):
+    notes = {variant.name: variant.note for variant in study.variants}
+    best = {point.name for point in front([p for p in points if not p.failed])}
+    rows = []
+    for variant, group in by_variant(points).items():
+        for number, p in enumerate(group):
+            note = [f"FAILED: {p.failure}"] if p.failed else ["front"] if p.name in best else []
+            note += [notes[variant]] if number == 0 and notes.get(variant) else []
+            rows.append((variant, str(p.resolution), "" if p.failed else percent(p.error), seconds(p.wall), seconds(p.cpu),
+                         "" if p.failed else f"{p.steps:.0f}", "" if p.failed else f"{p.memory / 1e6:.0f}",
+                         "; ".join(note)))
+    return _table(["variant", "across", "error", "wall (s)", "CPU (s)", "steps", "memory (MB)", "note"], rows)
+
+
+def _level_tables(points):
+    rows = []
+    for level in LEVELS:
+        best = cheapest(points, level)
+        if best is None:
+            smallest = min((p for p in points if not p.failed), key=lambda p: p.error, default=None)
+            how = f"the smallest error is {percent(smallest.error)}, {smallest.name}" if smallest else "nothing ran"
+            rows.append((percent(level), "none", "", how))
+        else:
+            rows.append((percent(level), best.variant, seconds(best.wall), how_text(best)))
+    text = ["The cheapest for each error (wall time interpolated between measured points, never beyond them):", "",
+            *_table(["error", "cheapest", "wall (s)", "how"], rows), "",
+            "Order of convergence, and wall time (s) to stay within an error:", ""]
+    rows = []
+    for variant, group in by_variant(points).items():
+        fitted = order(group)
+        reached = [reach(group, level) for level in LEVELS]
+        rows.append((variant, "" if math.isnan(fitted) else f"{fitted:.1f}",
+                     *(seconds(one.wall) if one else "" for one in reached)))
+    return text + _table(["variant", "order", *(percent(level) for level in LEVELS)], rows)
+
+
+def how_text(reached):
+    if len(reached.between) == 1:
+        return f"measured at {reached.between[0]}"
+    return f"between {reached.between[0]} and {reached.between[1]}"

@@ -1,0 +1,316 @@
+"""chart: studies, from the file to the charts."""
+
+import csv
+import fcntl
+import os
+import pathlib
+import signal
+import subprocess
+import time
+import unittest
+
+from support import MESOGEN, CommandTest
+
+# A sound speed and limits so mild that a run takes a tenth of a second.
+CASE = """\
+[domain]
+size = [1.0, 1.0]
+boundary = "periodic_wrap"
+[particles]
+spacing = 0.1
+[kernel]
+type = "quintic"
+[velocity]
+type = "modes"
+modes = [[1, 0, 0.15915494309189535, 0.0]]
+[physics.flow]
+type = "wcsph"
+density = 1.0
+viscosity = 0.05
+[time]
+end = 0.2
+[observers.flow]
+type = "flow_statistics"
+interval = 0.1
+[run]
+precision = "double"
+"""
+
+ANSWER = """\
+title = "Shear wave"
+source = "exact: v_rms = exp(-nu k^2 t) / sqrt(2)"
+across = 1.0
+[[quantity]]
+series = "flow.v_rms"
+measure = "value"
+at = [0.2]
+exact = [0.476438]
+"""
+
+STUDY = """\
+title = "A small study"
+kind = "accuracy"
+scene = "scene"
+resolutions = [8, 12, 16]
+repeats = 2
+[common]
+"time.factor" = 0.5
+[variant.default]
+[variant.wendland_c2]
+note = "another kernel"
+"kernel.type" = "wendland_c2"
+[variant.short]
+resolutions = [8]
+"time.end" = 0.2
+"""
+
+FAILS = """\
+[variant.runs_away]
+resolutions = [8]
+"time.factor" = 30.0
+"time.end" = 20.0
+"""
+
+
+class ChartTest(CommandTest):
+    def setUp(self):
+        super().setUp()
+        os.mkdir(self.path("scene"))
+        self.write(CASE, "scene/case.toml")
+        self.write(ANSWER, "scene/answer.toml")
+        self.write(STUDY, "study.toml")
+
+    def write(self, text, name):
+        with open(self.path(*name.split("/")), "w", encoding="utf-8") as file:
+            file.write(text)
+
+    def read(self, *parts):
+        with open(self.path(*parts), encoding="utf-8") as file:
+            return file.read()
+
+    def runs(self):
+        with open(self.path("out", "runs.csv"), encoding="utf-8", newline="") as file:
+            return list(csv.DictReader(file))
+
+    def chart(self, *arguments, **more):
+        return self.mesogen("chart", "study.toml", "--output", "out", *arguments, **more)
+
+    def refusal(self, study):
+        self.write(study, "study.toml")
+        out, err = self.chart(code=2)
+        self.assertEqual(out, "")
+        self.assertFalse(os.path.exists(self.path("out", "runs.csv")))
+        return err
+
+
+class Chart(ChartTest):
+    def test_a_study_from_nothing_to_charts(self):
+        out, err = self.chart()
+        for name in ("error_cost", "error_resolution"):
+            with open(self.path("out", name + ".png"), "rb") as file:
+                self.assertEqual(file.read(8), b"\x89PNG\r\n\x1a\n")
+            self.assertIn("</svg>", self.read("out", name + ".svg"))
+        self.assertIn("14 of 14  wendland_c2 16 (2 of 2): error ", err)
+        self.assertNotIn("\r", err)
+
+        runs = self.runs()
+        self.assertEqual([(run["variant"], run["resolution"], run["repeat"]) for run in runs[:4]],
+                         [("default", "8", "1"), ("wendland_c2", "8", "1"), ("short", "8", "1"), ("default", "12", "1")])
+        self.assertEqual(len(runs), 14)
+        for run in runs:
+            self.assertEqual(run["status"], "done")
+            for column in ("error", "wall_seconds", "cpu_seconds", "steps", "peak_memory"):
+                self.assertGreater(float(run[column]), 0.0, column)
+        errors = {(run["variant"], run["resolution"]): float(run["error"]) for run in runs}
+        self.assertLess(errors["default", "8"], 0.2)
+        self.assertLess(errors["default", "16"], errors["default", "8"] / 2)
+        self.assertEqual(errors["short", "8"], errors["default", "8"])
+
+        table = self.read("out", "table.md")
+        self.assertIn(table, out)
+        self.assertIn("Scene: Shear wave. exact: v_rms = exp(-nu k^2 t) / sqrt(2)", table)
+        self.assertRegex(table, r"Machine: .*\d core")
+        self.assertRegex(table, r"Mesogen: mesogen \d+\.\d+\.\d+ \(")
+        self.assertRegex(table, r"\| wendland_c2 \| +8 \| +[\d.]+ % \|.*another kernel")
+        self.assertRegex(table, r"(?m)^\| +10 % \| (default|wendland_c2|short) ")
+        with open(self.path("out", "points.csv"), encoding="utf-8", newline="") as file:
+            self.assertEqual([(p["variant"], p["resolution"], p["runs"]) for p in csv.DictReader(file)],
+                             [("default", "8", "2"), ("default", "12", "2"), ("default", "16", "2"), ("wendland_c2", "8", "2"),
+                              ("wendland_c2", "12", "2"), ("wendland_c2", "16", "2"), ("short", "8", "2")])
+
+        before = {name: pathlib.Path(self.path("out", name)).read_bytes()
+                  for name in ("runs.csv", "error_cost.svg", "error_cost.png")}
+        _, err = self.chart()
+        self.assertEqual(err, "")
+        for name, content in before.items():
+            self.assertEqual(pathlib.Path(self.path("out", name)).read_bytes(), content, name)
+
+    def test_list_runs_nothing(self):
+        out, _ = self.chart("--list", "--only", "default")
+        lines = out.splitlines()
+        self.assertEqual(len(lines), 6)
+        self.assertRegex(lines[0], r"^missing  default 8 \(1 of 2\): \S*mesogen run scene/case\.toml --set time\.factor=0\.5 "
+                                   r"--set particles\.spacing=0\.125 --output out/run$")
+        self.assertFalse(os.path.exists(self.path("out")))
+
+    def test_only_some_variants(self):
+        self.chart("--only", "short,default", "--quiet")
+        self.assertEqual({run["variant"] for run in self.runs()}, {"short", "default"})
+        _, err = self.chart("--only", "defalt", code=2)
+        self.assertEqual(err, "error: --only: no variant 'defalt' in study.toml; did you mean 'default'?\n")
+
+    def test_draw_only(self):
+        _, err = self.chart("--draw-only", code=2)
+        self.assertEqual(err, "error: out: nothing has run yet; leave out --draw-only\n")
+        self.chart("--only", "short")
+        os.remove(self.path("out", "table.md"))
+        out, err = self.chart("--draw-only")
+        self.assertEqual((err, len(self.runs())), ("", 2))
+        self.assertIn("wrote out/table.md", out)
+
+    def test_a_killed_study_goes_on(self):
+        self.write(STUDY.replace("[8, 12, 16]", "[8, 12, 40]"), "study.toml")
+        study = subprocess.Popen([MESOGEN, "chart", "study.toml", "--output", "out"], cwd=self.folder, text=True,
+                                 env=self.environment(), stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
+        self.addCleanup(study.kill)
+        while "default 12" not in study.stderr.readline():
+            self.assertIsNone(study.poll())
+        study.kill()
+        study.communicate()
+        with open(self.path("out", "runs.csv"), "a", encoding="utf-8") as file:
+            file.write("a line that was being wri")
+        kept = self.runs()[:-1]
+        self.assertGreaterEqual(len(kept), 4)
+        self.write(STUDY, "study.toml")
+        self.chart()
+        runs = self.runs()
+        self.assertEqual(runs[: len(kept)], kept)
+        self.assertEqual(len({(run["variant"], run["resolution"], run["repeat"]) for run in runs if run["resolution"] != "40"}), 14)
+
+    def test_an_interrupted_study_stops_its_run(self):
+        self.write(STUDY.replace("[8, 12, 16]", "[100]"), "study.toml")
+        study = subprocess.Popen([MESOGEN, "chart", "study.toml", "--output", "out"], cwd=self.folder, text=True,
+                                 env=self.environment(), stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
+        self.addCleanup(study.kill)
+        while not os.path.exists(self.path("out", "run", "run.log")):
+            self.assertIsNone(study.poll())
+            time.sleep(0.02)
+        study.send_signal(signal.SIGTERM)
+        _, err = study.communicate(timeout=30)
+        self.assertEqual(study.returncode, 130)
+        self.assertEqual(err, "interrupted: what was done is kept; the same command goes on\n")
+        self.assertFalse(os.path.exists(self.path("out", "run")))
+
+    def test_what_changed_runs_again(self):
+        self.chart("--only", "short,default")
+        before = self.runs()
+        self.write(self.read("study.toml").replace('"time.end" = 0.2', '"time.end" = 0.2\n"time.factor" = 0.7'), "study.toml")
+        _, err = self.chart("--only", "short,default")
+        self.assertIn("short 8 runs again: the study, its case or its answer has changed\n", err)
+        self.assertNotIn("default", err)
+        self.assertEqual(len(self.runs()), len(before) + 2)
+
+        self.write("# a remark changes nothing\n" + CASE, "scene/case.toml")
+        self.assertEqual(self.chart("--only", "short,default")[1], "")
+        self.write(CASE.replace("viscosity = 0.05", "viscosity = 0.06"), "scene/case.toml")
+        self.assertIn("default 8 runs again", self.chart("--only", "short,default")[1])
+
+    def test_a_failure_is_a_point(self):
+        self.write(STUDY + FAILS, "study.toml")
+        out, err = self.chart("--only", "short,runs_away")
+        self.assertRegex(err, r"runs_away 8 \(1 of 2\): FAILED: the run (broke down|ran away)")
+        failed = [run for run in self.runs() if run["variant"] == "runs_away"]
+        self.assertEqual([(run["status"], run["error"]) for run in failed], [("failed", "")])  # not repeated
+        self.assertRegex(failed[0]["reason"], r"^the run (broke down|ran away).* at t = ")
+        self.assertRegex(out, r"\| runs_away \| +8 \| +\| .* FAILED: the run (broke down|ran away)")
+        self.assertEqual(self.chart("--only", "short,runs_away")[1], "")
+        self.chart("--only", "runs_away")  # nothing to draw but a table
+
+    def test_a_run_that_takes_too_long(self):
+        study = STUDY.replace("repeats = 2", "repeats = 1\ntimeout = 0.5").replace("[8, 12, 16]", "[60]")
+        self.write(study, "study.toml")
+        out, _ = self.chart("--only", "default")
+        self.assertEqual([(run["status"], run["reason"]) for run in self.runs()], [("timeout", "took longer than 0.5 s")])
+        self.assertIn("FAILED: took longer than 0.5 s", out)
+        self.assertEqual(self.chart("--only", "default")[1], "")
+        self.write(study.replace("timeout = 0.5", "timeout = 600"), "study.toml")
+        self.assertRegex(self.chart("--list", "--only", "default")[0], "^missing  default 60")
+
+    def test_two_at_once_are_refused(self):
+        os.mkdir(self.path("out"))
+        with open(self.path("out", ".lock"), "w", encoding="ascii") as lock:
+            fcntl.flock(lock, fcntl.LOCK_EX)
+            _, err = self.chart(code=2)
+        self.assertEqual(err, "error: another study is writing into out; choose another folder with --output, or wait\n")
+
+
+class Refusals(ChartTest):
+    """Studies and answers that are wrong."""
+
+    def test_no_study(self):
+        _, err = self.mesogen("chart", "nothing.toml", code=2)
+        self.assertEqual(err, "error: nothing.toml: the study cannot be read: No such file or directory\n")
+
+    def test_no_toml(self):
+        self.assertRegex(self.refusal("title = \n"), r"^error: study\.toml: the study is not TOML: .*line 1")
+
+    def test_kinds(self):
+        self.assertEqual(self.refusal(STUDY.replace('"accuracy"', '"acuracy"')),
+                         "error: study.toml: kind: 'acuracy' is none of: accuracy; did you mean 'accuracy'?\n")
+        self.assertEqual(self.refusal(STUDY.replace('kind = "accuracy"', "")),
+                         "error: study.toml: kind: is missing; it is one of: accuracy\n")
+
+    def test_all_that_is_wrong_at_once(self):
+        wrong = STUDY.replace("repeats = 2", 'repeat = 2\nthreads = 0\nresolutions = [8, 8]').replace("resolutions = [8, 12, 16]\n", "")
+        wrong += '"kernel" = { type = "quintic" }\nfactor = 1\n"particles.spacing" = 0.1\n"time.step" = nan\n'
+        self.assertEqual(self.refusal(wrong).splitlines(), [
+            "errors:",
+            "study.toml: resolutions: must be a list of different whole numbers, each at least 2",
+            "study.toml: threads: must be a whole number, at least 1",
+            'study.toml: variant.short.kernel: is a table; write its keys as one dotted, quoted key each, as for --set: '
+            '"kernel.KEY" = VALUE',
+            'study.toml: variant.short.factor: is no dotted key of a case such as "kernel.type", nor is it one of: note, '
+            "resolutions",
+            'study.toml: variant.short."time.step": must be a number, a text, true or false, or a list of them',
+            'study.toml: variant.short."particles.spacing": is chosen by the resolutions; leave it out',
+            "study.toml: repeat: no such key; did you mean 'repeats'?",
+        ])
+
+    def test_no_variant(self):
+        self.assertEqual(self.refusal(STUDY[: STUDY.index("[variant")]),
+                         "error: study.toml: variant: is missing; it is one or more tables [variant.NAME]\n")
+
+    def test_no_scene(self):
+        self.assertEqual(self.refusal(STUDY.replace('"scene"', '"scenes"')),
+                         "error: study.toml: scene: scenes: the scene's case cannot be read: No such file or directory\n")
+
+    def test_an_answer_that_is_wrong(self):
+        self.write(ANSWER.replace('"flow.v_rms"', '"v_rms"').replace('"value"', '"values"').replace("[0.476438]", "0.47"),
+                   "scene/answer.toml")
+        self.assertEqual(self.refusal(STUDY).splitlines(), [
+            "errors:",
+            "scene/answer.toml: quantity[1].series: 'v_rms' must be OBSERVER.QUANTITY, the observer as the case names it",
+            "scene/answer.toml: quantity[1].measure: 'values' is none of them; did you mean 'value'?",
+            "scene/answer.toml: quantity[1].exact: must be a list of one or more numbers",
+        ])
+        self.write(ANSWER.replace("[0.476438]", "[0.47, 0.0]"), "scene/answer.toml")
+        self.assertEqual(self.refusal(STUDY), "error: scene/answer.toml: quantity[1].exact: must be a list of 1 numbers\n")
+        self.write(ANSWER.replace("[0.476438]", "[0.0]"), "scene/answer.toml")
+        self.assertEqual(self.refusal(STUDY), "error: scene/answer.toml: quantity[1].exact: is 0, so that the error cannot be "
+                                              "relative to it: give a scale\n")
+
+    def test_an_answer_about_what_is_not_recorded(self):
+        self.write(ANSWER.replace("flow.v_rms", "flow.speed"), "scene/answer.toml")
+        _, err = self.chart("--quiet", code=2)
+        self.assertRegex(err, r"^error: scene/answer\.toml: no quantity 'speed' in observer 'flow' of out/run/results\.h5; "
+                              r"there are: .*v_rms")
+
+    def test_what_mesogen_refuses(self):
+        err = self.refusal(STUDY + '"kernel.typ" = "quintic"\n[variant.cubic]\n"kernel.type" = "cubic"\n')
+        self.assertEqual(err.splitlines()[:2], [
+            "errors:", 'study.toml: variant.short: --set: kernel.typ: unknown key; did you mean "type"?'])
+        self.assertIn('study.toml: variant.cubic: --set: kernel.type: no kernel plugin is called "cubic"', err)
+
+
+if __name__ == "__main__":
+    unittest.main()
