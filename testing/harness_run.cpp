@@ -154,7 +154,8 @@ void HarnessRun::permute(const std::vector<Index>& order) {
     reorder(particles.position[d]);
     reorder(particles.images[d]);
   }
-  for (const auto& [name, field] : world().fields.all()) field->permute(order);
+  Field::Scratch scratch;
+  for (const auto& [name, field] : world().fields.all()) field->permute(order, scratch);
 }
 
 std::vector<double> HarnessRun::by_id(const std::vector<double>& stored) {

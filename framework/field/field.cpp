@@ -86,10 +86,10 @@ void Field::fill_zero() {
   }
 }
 
-void Field::permute(const std::vector<Index>& order) {
+void Field::permute(const std::vector<Index>& order, Scratch& scratch) {
   for (int c = 0; c < components_; ++c) {
-    if (!single_.empty()) permute_component(single_.data() + c * stride_, order, scratch_single_);
-    if (!double_.empty()) permute_component(double_.data() + c * stride_, order, scratch_);
+    if (!single_.empty()) permute_component(single_.data() + c * stride_, order, scratch.single);
+    if (!double_.empty()) permute_component(double_.data() + c * stride_, order, scratch.exact);
   }
 }
 

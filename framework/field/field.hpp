@@ -37,9 +37,14 @@ class MESOGEN_EXPORT Field {
   void set(int component, Index particle, double value);
   void fill_zero();
 
+  /// Room that permuting a field takes; one for all of them.
+  struct Scratch {
+    std::vector<double> exact;
+    std::vector<float> single;
+  };
   /// New place of every particle: place n takes what stood at order[n]. No particle gets another value, so the version
   /// stays.
-  void permute(const std::vector<Index>& order);
+  void permute(const std::vector<Index>& order, Scratch& scratch);
 
   /// Every write raises the version; what lies beyond the faces is of version `refreshed`, and at a wall of the
   /// positions `refreshed_at`.
@@ -59,8 +64,6 @@ class MESOGEN_EXPORT Field {
   std::ptrdiff_t stride_ = 0;
   std::vector<float> single_;
   std::vector<double> double_;
-  std::vector<double> scratch_;
-  std::vector<float> scratch_single_;
 };
 
 /// All fields of a run, by name.

@@ -59,6 +59,11 @@ Pass& Pass::accumulates(std::initializer_list<std::string_view> fields) {
   return *this;
 }
 
+Pass& Pass::idle_if(bool idle) {
+  adds_nothing = idle;
+  return *this;
+}
+
 Pass& Pass::run(std::function<void(const PassContext&)> function) {
   body = std::move(function);
   return *this;

@@ -4,6 +4,7 @@
 #include <chrono>
 
 #include "schedule/derived_name.hpp"
+#include "sph/fixed_weights.hpp"
 #include "sph/standard_passes.hpp"
 
 namespace mesogen {
@@ -14,9 +15,25 @@ constexpr std::size_t most_components = 4;
 
 }  // namespace
 
+struct DerivedFields::Weights {
+  sph::FixedWeights<float, 2> single;  // that of the run's precision
+  sph::FixedWeights<double, 2> exact;
+
+  template <class Real>
+  auto& of() {
+    if constexpr (sizeof(Real) == sizeof(float)) {
+      return single;
+    } else {
+      return exact;
+    }
+  }
+};
+
+DerivedFields::~DerivedFields() = default;
+
 DerivedFields::DerivedFields(World& world, const Catalogue& catalogue, const std::set<std::string>& for_integration,
-                             const std::vector<std::set<std::string>>& for_readers, bool consistent_laplacian)
-    : world_(world), consistent_laplacian_(consistent_laplacian) {
+                             const std::vector<std::set<std::string>>& for_readers, const Form& form)
+    : world_(world), form_(form) {
   std::set<std::string> all = for_integration;
   for (const auto& reader : for_readers) all.insert(reader.begin(), reader.end());
   if (all.empty()) return;
@@ -45,18 +62,18 @@ DerivedFields::DerivedFields(World& world, const Catalogue& catalogue, const std
       alone.push_back(field);
     }
   }
-  add_passes(shared, for_integration.contains("correction"));
+  add_passes(shared, for_integration.contains("correction"), true);
   for (const std::string& field : all)
     if (!for_integration.contains(field)) alone.push_back(field);
   for (const std::string& field : alone) {
     if (pass_of_.contains(field)) continue;
     Wanted wanted;
     if (field != "correction") note(wanted, field);
-    add_passes(wanted, field == "correction");
+    add_passes(wanted, field == "correction", for_integration.contains(field));
   }
 }
 
-void DerivedFields::add_passes(const Wanted& wanted, bool correction) {
+void DerivedFields::add_passes(const Wanted& wanted, bool correction, bool at_each_step) {
   std::vector<Component> components;
   for (const auto& [source, kinds] : wanted) {
     Field& field = world_.fields.at(source);
@@ -83,6 +100,8 @@ void DerivedFields::add_passes(const Wanted& wanted, bool correction) {
       pass.counter.title += (pass.counter.title.empty() ? "" : ", ") + field;
     }
     pass.sources.assign(pass.components.size(), 0);
+    if (at_each_step && !form_.particles_move && !pass.components.empty()) pass.weights = std::make_unique<Weights>();
+    pass.finding.title = "weights of " + pass.counter.title;
     passes_.push_back(std::move(pass));
   }
 }
@@ -147,14 +166,28 @@ void DerivedFields::run_pair_sums(PairPass& pass) {
     if (component.laplacian != nullptr)
       wanted.laplacian[n] = component.laplacian->view<Real>().component(component.index);
   }
-  if (pass.correction != nullptr) wanted.correction = pass.correction->view<Real>();
-  wanted.consistent = consistent_laplacian_;
-  sph::derivatives<Real, Dim>(space, neighbours, world_.kernel, wanted);
+  wanted.consistent = form_.consistent_laplacian;
+  const bool new_positions = pass.positions != world_.neighbourhood.version();
+  if (pass.correction != nullptr && (new_positions || !pass.weights)) wanted.correction = pass.correction->view<Real>();
+  if (!pass.weights || wanted.correction) sph::derivatives<Real, Dim>(space, neighbours, world_.kernel, wanted);
+  if (!pass.weights) return;
+  auto& weights = pass.weights->of<Real>();
+  if (new_positions) {
+    const auto start = std::chrono::steady_clock::now();
+    sph::find_weights<Real, Dim>(neighbours, world_.kernel, wanted,
+                                 world_.particles.count() + world_.neighbourhood.outside_count(), weights);
+    ++pass.finding.runs;
+    pass.finding.seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  }
+  sph::derivatives<Real, Dim>(space, weights, wanted);
 }
 
 std::vector<DerivedFields::Counter> DerivedFields::counters() const {
   std::vector<Counter> all;
-  for (const PairPass& pass : passes_) all.push_back(pass.counter);
+  for (const PairPass& pass : passes_) {
+    all.push_back(pass.counter);
+    if (pass.weights) all.push_back(pass.finding);
+  }
   return all;
 }
 

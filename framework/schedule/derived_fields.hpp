@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <set>
 #include <string>
 #include <vector>
@@ -14,11 +15,19 @@ namespace mesogen {
 
 /// The fields that the framework offers: volume, correction, gradients and Laplacians. Each is made when asked for,
 /// and only if what it depends on has changed since. Those that the integration needs and whose sources keep still
-/// while rates are computed share their passes over the pairs.
+/// while rates are computed share their passes over the pairs. Where particles never move, derivatives that are made
+/// at every step are sums with weights that are found once.
 class MESOGEN_EXPORT DerivedFields {
  public:
+  struct Form {
+    bool consistent_laplacian = false;
+    bool particles_move = true;
+  };
   DerivedFields(World& world, const Catalogue& catalogue, const std::set<std::string>& for_integration,
-                const std::vector<std::set<std::string>>& for_readers, bool consistent_laplacian);
+                const std::vector<std::set<std::string>>& for_readers, const Form& form);
+  DerivedFields(const DerivedFields&) = delete;
+  DerivedFields& operator=(const DerivedFields&) = delete;
+  ~DerivedFields();
 
   [[nodiscard]] bool has(const std::string& field) const { return pass_of_.contains(field); }
   /// Brings a derived field up to date.
@@ -38,24 +47,27 @@ class MESOGEN_EXPORT DerivedFields {
     Field* gradient;   // may be null
     Field* laplacian;  // may be null
   };
+  struct Weights;  // of particles that keep still
   struct PairPass {
     std::vector<Component> components;
     Field* correction = nullptr;
     bool volume = false;
+    std::unique_ptr<Weights> weights;    // null: computed anew at each run
     std::uint64_t positions = 0;         // version of the neighbourhood when last run
     std::vector<std::uint64_t> sources;  // versions of the sources then
     Counter counter;
+    Counter finding;  // of weights
   };
   using Wanted = std::map<std::string, std::pair<bool, bool>>;  // source -> gradient, Laplacian
 
-  void add_passes(const Wanted& wanted, bool correction);
+  void add_passes(const Wanted& wanted, bool correction, bool at_each_step);
   [[nodiscard]] bool stale(const PairPass& pass) const;
   void run(PairPass& pass);
   template <class Real, int Dim>
   void run_pair_sums(PairPass& pass);
 
   World& world_;
-  bool consistent_laplacian_;
+  Form form_;
   std::vector<PairPass> passes_;
   std::map<std::string, std::vector<std::size_t>> pass_of_;
 };

@@ -63,7 +63,10 @@ std::string StepGraph::text() const {
               ? std::string("nothing moves: neighbours are found once\n")
               : fmt::format("particles move with {}{}\n", velocity_, shift_.empty() ? "" : " and " + shift_);
   for (const Work& work : works_)
-    if (work.pruned()) text += fmt::format("pruned: {} (nobody needs what it makes)\n", work.title());
+    if (work.pruned())
+      text +=
+          fmt::format("pruned: {} ({})\n", work.title(),
+                      work.pass.adds_nothing ? "with its parameters it adds nothing" : "nobody needs what it makes");
   return text;
 }
 

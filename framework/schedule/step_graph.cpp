@@ -52,7 +52,8 @@ StepGraph::StepGraph(const Catalogue& catalogue, const std::vector<Member>& memb
   check_fields();
   check_writers();
   const auto added_to = [&](const std::string& field) {
-    return std::any_of(works_.begin(), works_.end(), [&](const Work& work) { return makes(work, field); });
+    return std::any_of(works_.begin(), works_.end(),
+                       [&](const Work& work) { return makes(work, field) && !work.pass.adds_nothing; });
   };
   if (!shift_.empty() && !added_to(shift_)) shift_.clear();
 
@@ -93,6 +94,10 @@ void StepGraph::check_fields() const {
     check(work.pass.neighbour_reads, "reads");
     check(work.pass.write_list, "writes");
     check(work.pass.accumulate_list, "adds to");
+    if (work.pass.adds_nothing && !work.pass.write_list.empty())
+      throw Error(ExitCode::plugin_refused, "'" + work.title() + "' is idle and writes '" +
+                                                work.pass.write_list.front() +
+                                                "': idle_if is for passes that only add to fields");
     for (const auto* const list : {&work.pass.write_list, &work.pass.accumulate_list})
       for (const std::string& field : *list)
         if (catalogue_.is_state(field))
@@ -133,6 +138,7 @@ void StepGraph::follow(const std::string& field, const std::string& wanted_by, N
     for (Work& work : works_) {
       if (!makes(work, field)) continue;
       made = true;
+      if (work.pass.adds_nothing) continue;
       if (need.integration) {
         work.for_integration = true;
       } else {

@@ -28,7 +28,7 @@ void World::settle() {
   if (order == nullptr) return;
   resize_fields();
   for (const auto& [name, field] : fields.all()) {
-    field->permute(*order);
+    field->permute(*order, scratch_);
     field->refreshed = 0;
   }
 }

@@ -48,6 +48,7 @@ class MESOGEN_EXPORT World {
  private:
   void resize_fields();
   bool moved_ = true;
+  Field::Scratch scratch_;
   WallValues walls_;
   std::int64_t refreshes_ = 0;
   double refresh_seconds_ = 0.0;

@@ -81,6 +81,7 @@ class Run {
     const double cpu_before = cpu_seconds();
     auto saved = begun;
     const std::int64_t first = world.step;
+    shares_before_ = stepper_.shares();
     progress_.start(world.time, world.step, end());
     try {
       while (world.time < end() && !stopped()) {
@@ -138,9 +139,17 @@ class Run {
                           static_cast<double>(steps) * setup_.scene.particle_count / seconds,
                           stepper_.world().neighbourhood.sortings()));
     if (!options_.profile) return;
-    for (const auto& share : stepper_.shares())
+    // What was done before the first step belongs to no step.
+    for (auto share : stepper_.shares()) {
+      for (const auto& before : shares_before_)
+        if (before.work == share.work) {
+          share.runs -= before.runs;
+          share.seconds -= before.seconds;
+        }
+      if (share.runs == 0) continue;
       log_.info(fmt::format("{:6.2f} %  {:9.3f} ms a step  {:8} runs  {}", 100.0 * share.seconds / seconds,
                             1e3 * share.seconds / static_cast<double>(steps), share.runs, share.work));
+    }
   }
 
   Setup& setup_;
@@ -149,6 +158,7 @@ class Run {
   Progress& progress_;
   Stepper stepper_;
   Observation observation_;
+  std::vector<Stepper::Share> shares_before_;
   std::int64_t saved_step_ = -1;  ///< of the last checkpoint written
 };
 

@@ -182,6 +182,11 @@ void SetupBuilder::describe_scene() {
                                                       rounded_text(limit.seconds) + " s: it must be above 0");
       });
     });
+  for (std::size_t n = 0; n < setup_.physics.size(); ++n)
+    attempt(source_.physics[n], [&] {
+      const auto& member = setup_.physics[n];
+      call_plugin(member.type, "constants()", [&] { member.plugin->constants(scene.constants); });
+    });
 }
 
 void SetupBuilder::collect_fields() {

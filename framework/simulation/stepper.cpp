@@ -37,7 +37,8 @@ Stepper::Stepper(Setup& setup)
                                       readers.push_back(setup.graph->derived_for_reader(n));
                                     return readers;
                                   }(),
-                                  setup.source.laplacian == "consistent"))),
+                                  DerivedFields::Form{.consistent_laplacian = setup.source.laplacian == "consistent",
+                                                      .particles_move = !setup.graph->velocity().empty()}))),
       executor_(world_, *setup.graph, *derived_),
       integrator_(world_, setup.catalogue, setup.graph->velocity(), setup.graph->shift()),
       control_(setup.scene, setup.limits, setup.source.time.step, setup.source.time.factor),
@@ -57,6 +58,9 @@ void Stepper::add_fields() {
     use(work.pass.write_list);
     use(work.pass.accumulate_list);
   }
+  // Where all who add to a field are idle it stays zero.
+  for (const auto& observer : setup_.observers) use(observer.fields);
+  use(setup_.output_fields);
   for (const auto& [name, entry] : setup_.catalogue.all()) {
     const bool integrated = entry.declaration.advance != Advance::never;
     if (integrated || setup_.catalogue.is_state(name) || used.contains(name))

@@ -53,7 +53,7 @@ ParticleScene::ParticleScene(const Options& options, const std::array<std::vecto
   catalogue_.add_initial(f, "test");
   world_->add_field("f", 1, false);
   fields_ = std::make_unique<DerivedFields>(*world_, catalogue_, derived_from_f, std::vector<std::set<std::string>>{},
-                                            options.consistent_laplacian);
+                                            DerivedFields::Form{options.consistent_laplacian, !options.still});
   world_->settle();
 }
 
@@ -76,6 +76,13 @@ std::vector<double> ParticleScene::derived(const std::string& name, int componen
   for (std::size_t i = 0; i < id.size(); ++i)
     values[static_cast<std::size_t>(id[i])] = field.value(component, static_cast<Index>(i));
   return values;
+}
+
+std::int64_t ParticleScene::weights_found() const {
+  std::int64_t found = 0;
+  for (const auto& counter : fields_->counters())
+    if (counter.title.starts_with("weights of ")) found += counter.runs;
+  return found;
 }
 
 void ParticleScene::move(const std::function<std::array<double, 2>(std::int64_t id)>& by) {

@@ -22,6 +22,7 @@ class ParticleScene {
     std::string kernel = "quintic";
     std::string boundary = "periodic_ghosts";
     bool consistent_laplacian = false;
+    bool still = false;  ///< as where particles never move; they may be moved all the same
     Precision precision = Precision::double_precision;
   };
 
@@ -34,6 +35,8 @@ class ParticleScene {
   [[nodiscard]] std::vector<double> derived(const std::string& field, int component = 0);
   /// Moves every particle by (x, y)(id), m.
   void move(const std::function<std::array<double, 2>(std::int64_t id)>& by);
+  /// How often weights were found for particles that keep still.
+  [[nodiscard]] std::int64_t weights_found() const;
 
   [[nodiscard]] World& world() { return *world_; }
 

@@ -46,6 +46,7 @@ class ActiveStress final : public Physics {
     list.pass("active stress")
         .reads({"order_tensor_gradient", "density"})
         .accumulates({"acceleration"})
+        .idle_if(activity_ == 0.0)
         .run([this](const PassContext& context) {
           exec::for_each(
               context.space(), context.count(),

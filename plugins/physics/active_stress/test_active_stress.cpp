@@ -35,4 +35,12 @@ TEST(ActiveStress, SaysHowLargeItsStressIs) {
   EXPECT_EQ(constants.at("activity"), -0.3);
 }
 
+TEST(ActiveStress, OfZeroAddsNothing) {
+  PluginHarness active(PluginKind::physics, "active_stress", "activity = 0.0");
+  active.set("order_tensor_gradient", {1.0, 20.0, 300.0, 4000.0}).set("density", {2.0});
+  active.start();
+  EXPECT_EQ(active.value("acceleration", 0), 0.0);
+  EXPECT_EQ(active.value("acceleration", 1), 0.0);
+}
+
 }  // namespace

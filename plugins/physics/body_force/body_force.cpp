@@ -1,5 +1,6 @@
 // A uniform force density f on the fluid: gravity, or the pressure gradient that drives a channel.
 
+#include <algorithm>
 #include <vector>
 
 #include "mesogen/plugin/physics.hpp"
@@ -28,11 +29,15 @@ class BodyForce final : public Physics {
   }
 
   void passes(PassList& list) override {
-    list.pass("body force").reads({"density"}).accumulates({"acceleration"}).run([this](const PassContext& context) {
-      Push<Real, Dim> push{context.read<Real>("density"), context.write<Real>("acceleration"), {}};
-      for (unsigned d = 0; d < Dim; ++d) push.force[d] = Real(force_[d]);
-      exec::for_each(context.space(), context.count(), push);
-    });
+    list.pass("body force")
+        .reads({"density"})
+        .accumulates({"acceleration"})
+        .idle_if(std::all_of(force_.begin(), force_.end(), [](double f) { return f == 0.0; }))
+        .run([this](const PassContext& context) {
+          Push<Real, Dim> push{context.read<Real>("density"), context.write<Real>("acceleration"), {}};
+          for (unsigned d = 0; d < Dim; ++d) push.force[d] = Real(force_[d]);
+          exec::for_each(context.space(), context.count(), push);
+        });
   }
 
  private:

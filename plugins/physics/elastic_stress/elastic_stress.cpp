@@ -68,6 +68,9 @@ class ElasticStress final : public Physics {
  public:
   void parameters(ParameterList&) override {}
 
+  /// For what is known of the nematic's stability: whether its elasticity acts on the flow.
+  void constants(Constants& constants) const override { constants["elastic_stress"] = 1.0; }
+
   void prepare(const Scene& scene) override {
     const auto constant = [&](const char* name) {
       const auto at = scene.constants.find(name);

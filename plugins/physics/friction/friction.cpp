@@ -30,10 +30,13 @@ class Friction final : public Physics {
         .doc("xi: force density per velocity");
   }
 
+  void constants(Constants& constants) const override { constants["friction"] = coefficient_; }
+
   void passes(PassList& list) override {
     list.pass("friction")
         .reads({"velocity", "density"})
         .accumulates({"acceleration"})
+        .idle_if(coefficient_ == 0.0)
         .run([this](const PassContext& context) {
           exec::for_each(context.space(), context.count(),
                          Drag<Real, Dim>{context.read<Real>("velocity"), context.read<Real>("density"),

@@ -42,7 +42,8 @@ TEST(Field, PermutesAllComponentsAndTheMaster) {
   for (int c = 0; c < 2; ++c)
     for (Index i = 0; i < 4; ++i) field.set(c, i, 10.0 * c + i + 1e-13);
   const auto before = field.version;
-  field.permute({2, 0, 3, 1});
+  Field::Scratch scratch;
+  field.permute({2, 0, 3, 1}, scratch);
   EXPECT_EQ(field.version, before) << "no particle has another value";
   const Index from[] = {2, 0, 3, 1};
   for (int c = 0; c < 2; ++c) {

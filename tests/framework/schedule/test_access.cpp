@@ -30,7 +30,7 @@ void run_pass(const std::function<void(const PassContext&)>& body) {
   list.pass("work").reads({"f"}).reads_if_present({"absent"}).writes({"out"}).run(body);
   for (const FieldDeclaration& field : list.fields()) catalogue.add(field, "physics.mine");
   StepGraph graph(catalogue, {{"physics.mine", &list, "mine"}}, {});
-  DerivedFields derived(scene.world(), catalogue, {}, {}, false);
+  DerivedFields derived(scene.world(), catalogue, {}, {}, DerivedFields::Form{});
   Executor executor(scene.world(), graph, derived);
   executor.run(Phase::rates, {});
 }

@@ -94,6 +94,41 @@ TEST(StepGraph, PrunesWhatNobodyNeeds) {
   EXPECT_NE(text.find("nothing moves: neighbours are found once"), std::string::npos) << text;
 }
 
+TEST(StepGraph, PrunesWhatAddsNothing) {
+  for (const bool idle : {false, true}) {
+    GraphFixture all;
+    PassList& one = all.plugin("one");
+    one.field("u", Rank::vector).predicted_by("a");
+    one.field("a", Rank::vector);
+    one.pass("pressure").accumulates({"a"});
+    PassList& two = all.plugin("two");
+    two.field("stress", Rank::matrix);
+    two.pass("stress").reads({"u_gradient"}).writes({"stress"});
+    two.pass("force").reads({"stress_gradient"}).accumulates({"a"}).idle_if(idle);
+    const StepGraph graph = all.graph();
+    EXPECT_EQ(titles(graph), idle ? Titles{"one: pressure"} : (Titles{"one: pressure", "two: stress", "two: force"}));
+    EXPECT_EQ(graph.derived_for_integration().empty(), idle);
+    const bool told =
+        graph.text().find("pruned: two: force (with its parameters it adds nothing)") != std::string::npos;
+    EXPECT_EQ(told, idle) << graph.text();
+  }
+}
+
+TEST(StepGraph, FieldToWhichOnlyIdlePassesAddIsStillProvided) {
+  GraphFixture all;
+  PassList& one = all.plugin("one");
+  one.field("u", Rank::vector).predicted_by("a");
+  one.field("a", Rank::vector);
+  one.field("s", Rank::vector);
+  one.moves_particles("u", "s");
+  one.pass("force").accumulates({"a"}).idle_if(true);
+  one.pass("shift").accumulates({"s"}).idle_if(true);
+  const StepGraph graph = all.graph();
+  EXPECT_TRUE(titles(graph).empty());
+  EXPECT_EQ(graph.velocity(), "u");
+  EXPECT_EQ(graph.shift(), "");
+}
+
 TEST(StepGraph, OptionalReadsCountOnlyWhereTheSceneHasThem) {
   for (const bool flows : {false, true}) {
     GraphFixture all;

@@ -27,6 +27,15 @@ TEST(StepGraphErrors, WritersInDifferentPhasesAreNoConflict) {
   EXPECT_EQ(all.refusal(), "no error");
 }
 
+TEST(StepGraphErrors, IdlePassThatWritesIsRefused) {
+  GraphFixture all;
+  PassList& one = all.plugin("one");
+  one.field("stress", Rank::matrix);
+  one.pass("stress").writes({"stress"}).idle_if(true);
+  EXPECT_EQ(all.refusal(ExitCode::plugin_refused),
+            "'one: stress' is idle and writes 'stress': idle_if is for passes that only add to fields");
+}
+
 TEST(StepGraphErrors, TwoPluginsWithOneFieldAreNamed) {
   GraphFixture all;
   all.plugin("physics.one").field("velocity", Rank::vector);

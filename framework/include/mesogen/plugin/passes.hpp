@@ -72,6 +72,7 @@ struct MESOGEN_EXPORT Pass {
   std::vector<std::string> optional_reads;   ///< read if the scene has them; see PassContext::has
   std::vector<std::string> write_list;       ///< overwritten; one writer a field and phase
   std::vector<std::string> accumulate_list;  ///< added to; the framework zeroes it first, additions in case order
+  bool adds_nothing = false;                 ///< see idle_if
   std::function<void(const PassContext&)> body;
 
   Pass& reads(std::initializer_list<std::string_view> fields);
@@ -79,6 +80,9 @@ struct MESOGEN_EXPORT Pass {
   Pass& reads_if_present(std::initializer_list<std::string_view> fields);
   Pass& writes(std::initializer_list<std::string_view> fields);
   Pass& accumulates(std::initializer_list<std::string_view> fields);
+  /// With these parameters (an activity of zero) it would add zero to everything: it is left out, with whatever only it
+  /// needs. For passes that accumulate and write nothing.
+  Pass& idle_if(bool idle);
   Pass& run(std::function<void(const PassContext&)> function);
 };
 

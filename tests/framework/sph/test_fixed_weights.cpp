@@ -1,0 +1,100 @@
+// Where particles keep still, derivatives are sums with weights that are found once: the same numbers.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "particle_scene.hpp"
+
+namespace {
+
+using namespace mesogen;
+using namespace mesogen::test;
+
+double wave(double x, double y) { return std::sin(2.0 * std::numbers::pi * (2.0 * x - y)) + 3.0; }
+
+/// Boundary, precision, consistent Laplacian.
+class FixedWeights : public testing::TestWithParam<std::tuple<const char*, Precision, bool>> {
+ protected:
+  static constexpr int across = 24;
+
+  /// The largest difference over the largest value.
+  [[nodiscard]] static double difference(ParticleScene& a, ParticleScene& b, const char* field, int component) {
+    const auto values = a.derived(field, component);
+    const auto others = b.derived(field, component);
+    double most = 0.0;
+    double scale = 0.0;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      most = std::max(most, std::abs(values[i] - others[i]));
+      scale = std::max(scale, std::abs(values[i]));
+    }
+    return most / scale;
+  }
+
+  void expect_same(ParticleScene& a, ParticleScene& b) const {
+    const double rounding = std::get<1>(GetParam()) == Precision::double_precision ? 1e-11 : 1e-3;
+    EXPECT_LT(difference(a, b, "f_laplacian", 0), rounding);
+    EXPECT_LT(difference(a, b, "f_gradient", 0), rounding);
+    EXPECT_LT(difference(a, b, "f_gradient", 1), rounding);
+    EXPECT_LT(difference(a, b, "correction", 1), rounding);
+  }
+};
+
+TEST_P(FixedWeights, GiveTheDerivativesOfThePairSums) {
+  ParticleScene::Options options;
+  options.spacing = 1.0 / across;
+  options.boundary = std::get<0>(GetParam());
+  options.precision = std::get<1>(GetParam());
+  options.consistent_laplacian = std::get<2>(GetParam());
+  const auto points = jittered(across, across, 1.0 / across, 0.2);
+  ParticleScene computed(options, points);
+  options.still = true;
+  ParticleScene weighted(options, points);
+  for (ParticleScene* scene : {&computed, &weighted}) scene->set(wave);
+  expect_same(computed, weighted);
+  const auto first = weighted.derived("f_laplacian");
+
+  // Another field at the same places, then the first at others.
+  for (ParticleScene* scene : {&computed, &weighted}) scene->set([](double x, double) { return std::cos(4.0 * x); });
+  expect_same(computed, weighted);
+  EXPECT_NE(weighted.derived("f_laplacian"), first);
+  EXPECT_EQ(weighted.weights_found(), 1);
+  const auto by = [](std::int64_t id) { return std::array{id % 3 == 0 ? 0.2 / across : 0.0, 0.1 / across}; };
+  for (ParticleScene* scene : {&computed, &weighted}) {
+    scene->move(by);
+    scene->set(wave);
+  }
+  expect_same(computed, weighted);
+  EXPECT_EQ(weighted.weights_found(), 2);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, FixedWeights,
+                         testing::Combine(testing::Values("periodic_ghosts", "periodic_wrap"),
+                                          testing::Values(Precision::single_precision, Precision::double_precision),
+                                          testing::Bool()),
+                         [](const auto& set) {
+                           return std::string(std::get<0>(set.param)) +
+                                  (std::get<1>(set.param) == Precision::single_precision ? "_single" : "_double") +
+                                  (std::get<2>(set.param) ? "_consistent" : "_plain");
+                         });
+
+// A box so small that a particle sees some neighbours on both sides.
+TEST(FixedWeightsOfASmallBox, CountBothImages) {
+  for (const char* boundary : {"periodic_ghosts", "periodic_wrap"}) {
+    ParticleScene::Options options;
+    options.spacing = 1.0 / 8;
+    options.boundary = boundary;
+    const auto points = jittered(8, 8, 1.0 / 8, 0.1);
+    ParticleScene computed(options, points);
+    options.still = true;
+    ParticleScene weighted(options, points);
+    for (ParticleScene* scene : {&computed, &weighted}) scene->set(wave);
+    const auto expected = computed.derived("f_laplacian");
+    const auto found = weighted.derived("f_laplacian");
+    for (std::size_t i = 0; i < expected.size(); ++i) EXPECT_NEAR(found[i], expected[i], 1e-10);
+  }
+}
+
+}  // namespace
