@@ -3,9 +3,9 @@
     dQ/dt + u . grad Q = lambda E - 2 lambda (Q : E) Q + rotation + Gamma H,   H = -A Q - C Q Tr(Q^2) + K lap Q
     rho (dw/dt + u . grad w) = mu lap w + curl div(-zeta Q),                  w = dv/dx - du/dy, div u = 0
 
-with the rotation (-w Q12, w Q11) and Q = (Q11, Q12). Space: Fourier series, products at the grid points, the upper third
-of the wave numbers cut off (S. A. Orszag, J. Atmos. Sci. 28, 1074 (1971)). Time: Runge-Kutta of fourth order with the
-diffusion in an integrating factor. All quantities in SI units. Needs numpy only."""
+with the rotation (-w Q12, w Q11) and Q = (Q11, Q12). Space: Fourier series, products at the grid points, the upper
+third of the wave numbers cut off (S. A. Orszag, J. Atmos. Sci. 28, 1074 (1971)). Time: Runge-Kutta of fourth order with
+the diffusion in an integrating factor. All quantities in SI units. Needs numpy only."""
 
 from dataclasses import dataclass
 
