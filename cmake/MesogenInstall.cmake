@@ -4,6 +4,7 @@ install(DIRECTORY app/templates DESTINATION share/mesogen)
 install(FILES LICENSE README.md ARCHITECTURE.md CHANGELOG.md DESTINATION share/doc/mesogen)
 install(FILES docs/quickstart.png docs/reference.md DESTINATION share/doc/mesogen/docs)
 install(DIRECTORY cases studies DESTINATION share/mesogen)
+install(DIRECTORY docs/accuracy DESTINATION share/doc/mesogen/docs)
 install(DIRECTORY examples DESTINATION share/doc/mesogen)
 
 # find_package(Mesogen), from an installation and, without one, from the build folder.
