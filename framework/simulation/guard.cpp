@@ -34,6 +34,8 @@ constexpr const char* spread_out =
     "Keep the shift of the particles on, start with a smaller particles.jitter if this is soon after the start, or "
     "take "
     "a smaller step (time.factor = 0.5, or time.step)";
+constexpr const char* calmer =
+    "Keep the shift of the particles on, or take a smaller step (time.factor = 0.5), more viscosity or more particles";
 constexpr const char* smaller_step =
     "Take a smaller step (time.factor = 0.5, or time.step), more particles, or a smaller activity";
 
@@ -147,7 +149,7 @@ void Guard::check_speed(const Motion& motion) const {
   const Index place = farthest_outside(*integrator_.velocity(), world_.particles.count(), 0.0, 0.0);
   stop("ran away: the largest speed, " + rounded_text(motion.fastest) + " m/s of " + particle(place) +
            ", carries it over " + rounded_text(farthest) + " spacings in one step",
-       "Take a smaller time.step, or leave it to \"auto\"");
+       control_.fixed() ? "Take a smaller time.step, or leave it to \"auto\"" : calmer);
 }
 
 void Guard::check_step(const Motion& motion) const {

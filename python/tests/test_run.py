@@ -153,5 +153,20 @@ class NothingToRead(synthetic.FolderTest):
         self.refused(self.folder, "not the results of a Mesogen run")
 
 
+class Cost(synthetic.FolderTest):
+    def test_of_a_finished_run(self):
+        results = synthetic.Results(self.folder)
+        group = results.file.create_group("parameters/cost")
+        for name, value in (("first_step", 0), ("steps", 7), ("wall_seconds", 1.5), ("cpu_seconds", 2.5), ("threads", 2),
+                            ("peak_memory", 3_000_000_000)):
+            group.attrs[name] = value
+        with mesogen.open(results.close()) as run:
+            self.assertEqual(run.cost, (0, 7, 1.5, 2.5, 2, 3_000_000_000))
+
+    def test_before_the_end(self):
+        with mesogen.open(synthetic.Results(self.folder).close()) as run:
+            self.assertIsNone(run.cost)
+
+
 if __name__ == "__main__":
     unittest.main()

@@ -137,9 +137,9 @@ class Wcsph final : public Physics {
         .advanced_by("compression_rate")
         .stays_within(
             -0.3, 0.3,
-            "The sound is too slow for this flow, or particles have clumped: raise sound_speed (or expected_speed, "
-            "where "
-            "that is \"auto\"), lower density_variation, leave shift at 1, or take a smaller step (time.factor = 0.5)");
+            "Leave shift at 1 and take a smaller step (time.factor = 0.5), which damps sound that grows; if the flow "
+            "is "
+            "faster than a tenth of the sound, raise sound_speed (or expected_speed, where that is \"auto\")");
     list.field("compression_rate", Rank::scalar).unit("1/s").doc("D(rho / rho0)/Dt");
     list.field("compression_midpoint", Rank::scalar).doc("rho / rho0 - 1 at the midpoint of the step");
     list.field("compression_filtered", Rank::scalar).doc("the same after the density filter");

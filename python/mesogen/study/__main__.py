@@ -5,13 +5,14 @@ import os
 import signal
 import sys
 
-from . import accuracy
+from . import accuracy, stability
 from .accuracy_study import read_accuracy_study
 from .errors import Interrupted, StudyError
 from .progress import Progress
+from .stability_study import read_stability_study
 from .table_reader import nearest, read_toml
 
-KINDS = {"accuracy": (read_accuracy_study, accuracy)}
+KINDS = {"accuracy": (read_accuracy_study, accuracy), "stability": (read_stability_study, stability)}
 
 
 def read_study(file):

@@ -14,6 +14,11 @@ import numpy as np
 
 from .errors import StudyError
 
+
+class Vanished(StudyError):
+    """What was to be measured is no more: the run is as wrong as can be, the answer is not."""
+
+
 Measure = namedtuple("Measure", "of count doc")
 
 
@@ -33,7 +38,7 @@ def growth_rate(run, quantity):
         raise StudyError(f"{_name(quantity)} has {chosen.sum()} samples from t = {first:g} to {last:g} s, and a growth "
                          "rate needs two: let the observer sample oftener")
     if not (series[chosen] > 0).all():
-        raise StudyError(f"{_name(quantity)} is not above 0 from t = {first:g} to {last:g} s: it has no growth rate")
+        raise Vanished(f"{_name(quantity)} is not above 0 from t = {first:g} to {last:g} s: it has no growth rate")
     return [float(np.polyfit(time[chosen], np.log(series[chosen]), 1)[0])]
 
 

@@ -42,6 +42,11 @@ class Answer:
     quantities: tuple
     data: dict  # as it was read
 
+    @property
+    def last(self):
+        """The last time that it is about, s."""
+        return max((at for quantity in self.quantities for at in quantity.at), default=0.0)
+
 
 @dataclass(frozen=True)
 class Scene:

@@ -4,6 +4,7 @@ import math
 
 from .analysis import LEVELS, by_variant, cheapest, front, order, reach
 from .ledger import csv_text
+from .markdown import head_lines, table_lines
 
 
 def points_csv(points):
@@ -24,16 +25,10 @@ def markdown(study, points, rows):
 
 def _head(study, rows):
     answer = study.scene.answer
-    lines = [f"Scene: {answer.title}. {answer.source.strip()}", ""]
-    for what, column in (("Machine", "machine"), ("Mesogen", "version")):
-        found = sorted({row[column] for row in rows})
-        lines += [f"{what}: {'; '.join(found)}" + (" (MIXED: times are not comparable)" if len(found) > 1 else ""), ""]
-    dates = sorted({row["date"][:10] for row in rows})
-    span = dates[0] if len(dates) == 1 else f"{dates[0]} to {dates[-1]}" if dates else "never"
     threads = f"{study.threads} thread{'s' if study.threads != 1 else ''}"
-    lines.append(f"Run on {span} with {threads}; medians of {study.repeats} run{'s' if study.repeats != 1 else ''}"
-                 + (f" for each of {len(study.seeds)} seeds" if study.seeds else "") + ". Wall time is that of stepping.")
-    return lines
+    return [f"Scene: {answer.title}. {answer.source.strip()}", "", *head_lines(rows),
+            f"With {threads}; medians of {study.repeats} run{'s' if study.repeats != 1 else ''}"
+            + (f" for each of {len(study.seeds)} seeds" if study.seeds else "") + ". Wall time is that of stepping."]
 
 
 def percent(error):
@@ -46,15 +41,7 @@ def seconds(value):
 
 
 def _table(header, rows):
-    """Markdown, its columns aligned so that it reads well on a terminal too; numbers stand to the right."""
-    cells = [header, *([str(cell).replace("|", "\\|") for cell in row] for row in rows)]
-    widths = [max(3, *(len(row[i]) for row in cells)) for i in range(len(header))]
-    left = [i for i, name in enumerate(header) if name in ("variant", "note", "cheapest", "how")]
-    def line(row):
-        return "| " + " | ".join(c.ljust(w) if i in left else c.rjust(w)
-                                 for i, (c, w) in enumerate(zip(row, widths, strict=True))) + " |"
-    rule = "|" + "|".join("-" * (w + 2) if i in left else "-" * (w + 1) + ":" for i, w in enumerate(widths)) + "|"
-    return [line(cells[0]), rule, *(line(row) for row in cells[1:])]
+    return table_lines(header, rows, left=("variant", "note", "cheapest", "how"))
 
 
 def _point_table(study, points):

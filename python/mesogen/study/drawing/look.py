@@ -5,6 +5,7 @@ import os
 
 import matplotlib
 from matplotlib.ticker import FixedLocator, FuncFormatter, NullLocator
+from matplotlib.transforms import ScaledTranslation
 
 from ...figures import style
 
@@ -93,3 +94,8 @@ def save(page, stem):
         page.savefig(name + ".tmp", format=name[-3:], metadata=metadata)
         os.replace(name + ".tmp", name)
     return names
+
+
+def shifted(axes, points):
+    """The data's transform, moved to the right by some points."""
+    return axes.transData + ScaledTranslation(points / 72.0, 0.0, axes.figure.dpi_scale_trans)

@@ -1,0 +1,27 @@
+"""Markdown that reads well on a terminal too."""
+
+
+def table_lines(header, rows, left=()):
+    """A table with aligned columns; those named in `left` stand to the left, numbers to the right."""
+    cells = [list(header), *([str(cell).replace("|", "\\|") for cell in row] for row in rows)]
+    widths = [max(3, *(len(row[i]) for row in cells)) for i in range(len(header))]
+    leftmost = [name in left for name in header]
+
+    def line(row):
+        return "| " + " | ".join(c.ljust(w) if to_left else c.rjust(w)
+                                 for c, w, to_left in zip(row, widths, leftmost, strict=True)) + " |"
+
+    rule = "|".join("-" * (w + 2) if to_left else "-" * (w + 1) + ":"
+                    for w, to_left in zip(widths, leftmost, strict=True))
+    return [line(cells[0]), f"|{rule}|", *(line(row) for row in cells[1:])]
+
+
+def head_lines(rows):
+    """Machine, version and dates of the runs. rows: of the ledger."""
+    lines = []
+    for what, column in (("Machine", "machine"), ("Mesogen", "version")):
+        found = sorted({row[column] for row in rows})
+        lines += [f"{what}: {'; '.join(found)}" + (" (MIXED: times are not comparable)" if len(found) > 1 else ""), ""]
+    dates = sorted({row["date"][:10] for row in rows})
+    span = dates[0] if len(dates) == 1 else f"{dates[0]} to {dates[-1]}"
+    return [*lines, f"Run on {span}."]

@@ -1,0 +1,62 @@
+"""Both sides of boundaries that the stability studies found (docs/stability.md): one run holds, the other fails as told."""
+
+import os
+import sys
+import unittest
+
+from support import MESOGEN, PROJECT, CommandTest
+
+sys.path.insert(0, os.path.join(PROJECT, "python"))
+
+from mesogen.study.__main__ import read_study  # noqa: E402
+from mesogen.study.stability import run_trial  # noqa: E402
+
+
+class Boundaries(CommandTest):
+    def verdict(self, study, variant, across, value, **changes):
+        """(how it failed, its reason) of one run of a study; changes: of the case, dots written as __."""
+        study, _ = read_study(os.path.join(PROJECT, "studies", "stability", study + ".toml"))
+        study.common.update({key.replace("__", "."): changed for key, changed in changes.items()})
+        cell = next(cell for cell in study.cells() if cell.variant.name == variant and cell.across == across)
+        row = run_trial(study, cell, value, self.folder, MESOGEN, None)
+        return row["how"], row["reason"]
+
+    def assert_sides(self, study, variant, across, inside, outside, *ways):
+        self.assertEqual(self.verdict(study, variant, across, inside), ("", ""))
+        how, reason = self.verdict(study, variant, across, outside)
+        self.assertIn(how, ways, reason)
+
+    def test_a_sound_too_slow(self):
+        self.assert_sides("sound_speed", "default", 0.1, 6.0, 3.0, "density")
+
+    def test_a_sound_too_fast_for_its_step(self):
+        self.assert_sides("sound_speed", "default", 0.01, 12.0, 40.0, "density", "energy")
+        self.assertEqual(self.verdict("sound_speed", "step_half", 0.01, 40.0), ("", ""))  # the remedy
+
+    def test_a_step_past_the_limit_of_viscosity(self):
+        self.assert_sides("step_factor", "viscosity", None, 4.0, 6.0, "clumping", "density", "void", "gathering", "ran away")
+
+    def test_a_step_past_the_limit_of_elasticity(self):
+        self.assert_sides("step_factor", "elasticity", None, 4.0, 6.0, "order")
+
+    def test_a_step_past_the_limit_of_relaxation(self):
+        self.assert_sides("step_factor", "relaxation", None, 16.0, 40.0, "order")
+
+    def test_a_kernel_with_too_few_neighbours(self):
+        self.assert_sides("smoothing_length", "wendland_c2", None, 1.6, 1.2, "volume", "compression", "density")
+
+    def test_disorder_that_nothing_spreads(self):
+        self.assert_sides("jitter", "no_shift", 1, 0.2, 0.45, "clumping")
+        self.assertEqual(self.verdict("jitter", "default", 1, 0.45), ("", ""))  # the remedy
+
+    def test_a_filter_that_is_fed_back(self):
+        self.assert_sides("filter_feedback", "feedback", 0.1, 12.0, 30.0, "volume")
+        self.assertEqual(self.verdict("filter_feedback", "no_feedback", 0.1, 30.0), ("", ""))  # the remedy
+
+    def test_reynolds_number(self):
+        self.assert_sides("reynolds_number", "default", 0.05, 0.04, 0.015, "density", "energy")
+        self.assertEqual(self.verdict("reynolds_number", "step_half", 0.05, 0.015), ("", ""))  # the remedy
+
+
+if __name__ == "__main__":
+    unittest.main()
