@@ -1,10 +1,9 @@
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
-#include <cmath>
 #include <memory>
-#include <numbers>
 
+#include "check_facts.hpp"
+#include "diagnostics/resources.hpp"
 #include "options.hpp"
 #include "verbs.hpp"
 
@@ -12,61 +11,41 @@ namespace mesogen::app {
 
 namespace {
 
-void print_plugin(const PluginRegistry& registry, PluginKind kind, const PluginChoice& choice) {
-  const auto& plugin = *registry.find(kind, choice.type);
-  fmt::print("  {:<24} {} {}: {} ({})\n", choice.section.path(), choice.type, plugin.descriptor->version,
-             plugin.file.string(), plugin.instruction_set);
-}
+struct Options {
+  CaseOptions source;
+  RunningOptions running;
+  bool quick = false;
+  bool json = false;
+};
 
-void print_steps(const Setup& setup) {
-  const auto& time = setup.source.time;
-  if (time.step) {
-    fmt::print("time            {:.6g} s, in {} steps of {:.6g} s\n", time.end,
-               std::ceil(time.end / *time.step * (1.0 - 1e-9)), *time.step);
+ExitCode check(const Options& options) {
+  use_threads(options.running);
+  const auto registry = load_plugins(options.source.plugin_folders);
+  const auto program = static_cast<double>(resident_memory());
+  const auto setup = set_up(options.source, registry);
+  const CheckFacts facts = check_facts(*setup, !options.quick, program);
+  if (options.json) {
+    fmt::print("{}", document(check_json(*setup, registry, facts)));
   } else {
-    fmt::print("time            {:.6g} s, step chosen as the run goes, times {:.6g}\n", time.end, time.factor);
+    fmt::print("{}{}\n", check_text(*setup, registry, facts),
+               options.source.file + (facts.breaks_down ? " is right, but its run breaks down" : " can be run"));
   }
-  fmt::print("step limits, beside those of the motion\n");
-  for (const auto& limit : setup.limits.all()) {
-    fmt::print("  {:<46} {:.6g} s", limit.name, limit.seconds);
-    if (time.step && *time.step > limit.seconds)
-      fmt::print("   time.step is {:.3g} times as long: the run will break down", *time.step / limit.seconds);
-    fmt::print("\n");
-  }
-}
-
-ExitCode check(const CaseOptions& options) {
-  const auto registry = load_plugins(options.plugin_folders);
-  const auto setup = set_up(options, registry);
-  const Case& source = setup->source;
-  const Scene& scene = setup->scene;
-  const double neighbours = std::numbers::pi * std::pow(scene.support / scene.spacing, 2);
-  if (!source.title.empty()) fmt::print("title           {}\n", source.title);
-  fmt::print("box             {:.6g} m x {:.6g} m\n", scene.box[0], scene.box[1]);
-  fmt::print("particles       {}, {}, spacing {:.6g} m\n", scene.particle_count, source.particles.arrangement,
-             scene.spacing);
-  if (const auto fitted = fitted_spacing_text(source); !fitted.empty()) fmt::print("                {}\n", fitted);
-  fmt::print("kernel          smoothing length {:.6g} m, support {:.6g} m, about {:.0f} neighbours\n",
-             scene.smoothing_length, scene.support, neighbours);
-  fmt::print("precision       {}\n", scene.precision == Precision::single_precision ? "single" : "double");
-  print_steps(*setup);
-  fmt::print("stored fields   position{}{} every {:.6g} s\n", setup->output_fields.empty() ? "" : ", ",
-             fmt::join(setup->output_fields, ", "), source.output.interval);
-  fmt::print("plugins\n");
-  print_plugin(registry, PluginKind::kernel, source.kernel);
-  print_plugin(registry, PluginKind::boundary, source.boundary);
-  for (const auto& choice : source.physics) print_plugin(registry, PluginKind::physics, choice);
-  for (const auto& choice : source.observers) print_plugin(registry, PluginKind::observer, choice);
-  fmt::print("{} can be run\n", options.file);
   return ExitCode::done;
 }
 
 }  // namespace
 
 void add_check(CLI::App& command, Action& action) {
-  const auto options = std::make_shared<CaseOptions>();
-  auto* const verb = command.add_subcommand("check", "Check a case and tell what a run of it would be; writes nothing");
-  add_case(*verb, *options);
+  const auto options = std::make_shared<Options>();
+  auto* const verb = command.add_subcommand(
+      "check", "Check a case and tell what a run of it would be, from some of its steps; writes nothing");
+  add_case(*verb, options->source);
+  verb->add_option("--threads", options->running.threads,
+                   "Threads that the run will have (default: all cores, or OMP_NUM_THREADS)")
+      ->type_name("N")
+      ->check(CLI::Range(1, 4096));
+  verb->add_flag("--quick", options->quick, "Take no steps, and so predict no wall time");
+  verb->add_flag("--json", options->json, "For programs");
   verb->callback([&action, options] { action = [options] { return check(*options); }; });
 }
 

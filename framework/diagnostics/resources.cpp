@@ -6,21 +6,32 @@
 
 namespace mesogen {
 
+namespace {
+
+/// A line such as "VmHWM:   1234 kB", in bytes; 0 if there is none.
+std::int64_t bytes_in(const char* file, const std::string& name) {
+  std::ifstream lines(file);
+  for (std::string word; lines >> word;) {
+    if (word != name) continue;
+    std::int64_t kibibytes = 0;
+    lines >> kibibytes;
+    return 1024 * kibibytes;
+  }
+  return 0;
+}
+
+}  // namespace
+
 double cpu_seconds() {
   timespec time{};
   if (clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time) != 0) return 0.0;
   return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
-std::int64_t peak_memory() {
-  std::ifstream status("/proc/self/status");
-  for (std::string word; status >> word;) {
-    if (word != "VmHWM:") continue;
-    std::int64_t kibibytes = 0;
-    status >> kibibytes;
-    return 1024 * kibibytes;
-  }
-  return 0;
-}
+std::int64_t peak_memory() { return bytes_in("/proc/self/status", "VmHWM:"); }
+
+std::int64_t resident_memory() { return bytes_in("/proc/self/status", "VmRSS:"); }
+
+std::int64_t available_memory() { return bytes_in("/proc/meminfo", "MemAvailable:"); }
 
 }  // namespace mesogen

@@ -13,4 +13,10 @@ MESOGEN_EXPORT double cpu_seconds();
 /// ru_maxrss, which a process inherits from the one that started it.
 MESOGEN_EXPORT std::int64_t peak_memory();
 
+/// The memory that this program has resident now, bytes; 0 where the system does not tell.
+MESOGEN_EXPORT std::int64_t resident_memory();
+
+/// The memory that can still be had on this machine, bytes; 0 where the system does not tell.
+MESOGEN_EXPORT std::int64_t available_memory();
+
 }  // namespace mesogen

@@ -12,7 +12,6 @@ namespace mesogen {
 
 namespace {
 
-constexpr double skin_in_spacings = 0.1;
 constexpr std::size_t pack_tail = 16;
 
 }  // namespace

@@ -22,9 +22,14 @@ class MESOGEN_EXPORT Neighbourhood {
  public:
   Neighbourhood(const Scene& scene, const Boundary& boundary);
 
+  static constexpr double skin_in_spacings = 0.1;
+
   /// Particles moved. Returns the new order of storage if they had to be sorted anew (place n takes what stood at
   /// order[n]; particles themselves are already permuted), nullptr if not.
   const std::vector<Index>* update(Particles& particles);
+
+  /// The next update() sorts, wherever particles are.
+  void forget_order() { cell_of_.clear(); }
 
   /// Takes up where a run stopped: particles are in the order of storage and were sorted at these coordinates.
   void restore(const Particles& particles, std::array<std::vector<double>, 3> sorted_position);

@@ -27,21 +27,25 @@ std::vector<std::uint64_t> frame_dimensions(const FieldShape& field, std::size_t
   return {particles, static_cast<std::uint64_t>(field.components)};
 }
 
+std::vector<std::byte> encode_frame(const std::vector<FrameField>& fields, const FrameStamp& stamp) {
+  const hdf5::Id memory = hdf5::create_in_memory();
+  hdf5::write_attribute(memory, "step", stamp.step);
+  hdf5::write_attribute(memory, "time", stamp.time);
+  for (const FrameField& field : fields) {
+    const FieldShape shape{field.name, field.unit, field.components, field.type};
+    const std::size_t particles = field.values.size() / static_cast<std::size_t>(field.components);
+    const std::vector<std::uint64_t> sizes = frame_dimensions(shape, particles);
+    const hdf5::Id dataset =
+        hdf5::write(memory, field.name, {sizes.begin(), sizes.end()}, field.values, stored_type_of(shape));
+    hdf5::write_attribute(dataset, "unit", field.unit);
+  }
+  return hdf5::image(memory);
+}
+
 void write_frame(const std::filesystem::path& file, const std::vector<FrameField>& fields, const FrameStamp& stamp) {
   std::vector<std::byte> bytes;
   try {
-    const hdf5::Id memory = hdf5::create_in_memory();
-    hdf5::write_attribute(memory, "step", stamp.step);
-    hdf5::write_attribute(memory, "time", stamp.time);
-    for (const FrameField& field : fields) {
-      const FieldShape shape{field.name, field.unit, field.components, field.type};
-      const std::size_t particles = field.values.size() / static_cast<std::size_t>(field.components);
-      const std::vector<std::uint64_t> sizes = frame_dimensions(shape, particles);
-      const hdf5::Id dataset =
-          hdf5::write(memory, field.name, {sizes.begin(), sizes.end()}, field.values, stored_type_of(shape));
-      hdf5::write_attribute(dataset, "unit", field.unit);
-    }
-    bytes = hdf5::image(memory);
+    bytes = encode_frame(fields, stamp);
   } catch (const hdf5::Failure& failure) {
     throw Error(ExitCode::run_failed, "cannot make the frame " + file.string() + ": " + failure.what());
   }

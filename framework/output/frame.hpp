@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <string>
@@ -43,6 +44,9 @@ struct FrameStamp {
 
 /// frames/000012.h5, relative to the folder of the run.
 MESOGEN_EXPORT std::string frame_name(std::size_t number);
+
+/// The bytes of a frame's file.
+std::vector<std::byte> encode_frame(const std::vector<FrameField>& fields, const FrameStamp& stamp);
 
 /// Writes a frame to a file of its own; on disk when it returns.
 MESOGEN_EXPORT void write_frame(const std::filesystem::path& file, const std::vector<FrameField>& fields,

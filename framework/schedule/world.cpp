@@ -33,6 +33,12 @@ void World::settle() {
   }
 }
 
+void World::sort_anew() {
+  neighbourhood.forget_order();
+  mark_moved();
+  settle();
+}
+
 void World::restore_order(std::array<std::vector<double>, 3> sorted_position) {
   moved_ = true;
   neighbourhood.restore(particles, std::move(sorted_position));

@@ -37,6 +37,8 @@ class MESOGEN_EXPORT World {
   void mark_moved() { moved_ = true; }
   /// Brings neighbours up to date with the positions: sorts, if need be, and every field into the new order.
   void settle();
+  /// Sorts whether or not it must be.
+  void sort_anew();
   /// Sorts as a checkpoint says; see Neighbourhood::restore.
   void restore_order(std::array<std::vector<double>, 3> sorted_position);
   /// Brings what a field is beyond the faces up to date, at copies or dummies, if it is not.

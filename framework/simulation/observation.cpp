@@ -113,11 +113,11 @@ void Observation::observe(const std::vector<bool>& due, ResultsWriter& results) 
     results.add_sample(observer, sample, world.step, world.time);
   });
   if (!due.back()) return;
-  stepper_.executor().prepare(stepper_.setup().output_fields);
   results.add_frame(frame(), world.step, world.time);
 }
 
 std::vector<FrameField> Observation::frame() {
+  stepper_.executor().prepare(stepper_.setup().output_fields);
   const World& world = stepper_.world();
   const Setup& setup = stepper_.setup();
   const std::size_t count = world.particles.id.size();

@@ -42,12 +42,13 @@ class MESOGEN_EXPORT Observation {
   /// The same for the results, and a frame if it is due.
   void observe(const std::vector<bool>& due, ResultsWriter& results);
 
+  /// A frame of what is now.
+  [[nodiscard]] std::vector<FrameField> frame();
+
   void save(Checkpoint& checkpoint) const;
   void restore(const Checkpoint& checkpoint);
 
  private:
-  [[nodiscard]] std::vector<FrameField> frame();
-
   Stepper& stepper_;
   std::vector<Timing> timings_;
 };

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "initial/fields.hpp"
+#include "simulation/planned_fields.hpp"
 
 namespace mesogen {
 
@@ -46,26 +47,9 @@ Stepper::Stepper(Setup& setup)
   set_initial_fields();
 }
 
-// Fields that something keeps, reads or writes; what only pruned work would touch takes no memory.
 void Stepper::add_fields() {
-  std::set<std::string> used;
-  const auto use = [&](const std::vector<std::string>& names) { used.insert(names.begin(), names.end()); };
-  for (const Work& work : setup_.graph->works()) {
-    if (work.pruned()) continue;
-    use(work.pass.own_reads);
-    use(work.pass.neighbour_reads);
-    use(work.pass.optional_reads);
-    use(work.pass.write_list);
-    use(work.pass.accumulate_list);
-  }
-  // Where all who add to a field are idle it stays zero.
-  for (const auto& observer : setup_.observers) use(observer.fields);
-  use(setup_.output_fields);
-  for (const auto& [name, entry] : setup_.catalogue.all()) {
-    const bool integrated = entry.declaration.advance != Advance::never;
-    if (integrated || setup_.catalogue.is_state(name) || used.contains(name))
-      world_.add_field(name, setup_.catalogue.components(name), integrated);
-  }
+  for (const PlannedField& field : planned_fields(setup_))
+    world_.add_field(field.name, field.components, field.integrated);
 }
 
 void Stepper::set_initial_fields() {
@@ -131,16 +115,6 @@ void Stepper::advance(double step_size, const std::vector<bool>& reader_due, std
   executor_.run(Phase::end, reader_due);
 }
 
-std::vector<std::string> Stepper::kept_fields() const {
-  std::vector<std::string> names;
-  for (const auto& [name, entry] : setup_.catalogue.all()) {
-    if (!setup_.catalogue.is_state(name)) continue;
-    names.push_back(name);
-    if (entry.declaration.advance == Advance::predicted) names.push_back(entry.declaration.rate);
-  }
-  return names;
-}
-
 void Stepper::save(Checkpoint& checkpoint) {
   checkpoint.step = world_.step;
   checkpoint.time = world_.time;
@@ -155,7 +129,7 @@ void Stepper::save(Checkpoint& checkpoint) {
     const auto& images = world_.particles.images[d];
     checkpoint.integers["images " + axis].assign(images.begin(), images.end());
   }
-  for (const std::string& name : kept_fields()) {
+  for (const std::string& name : checkpointed_fields(setup_)) {
     const Field& field = world_.fields.at(name);
     for (int c = 0; c < field.components(); ++c) {
       auto& values = checkpoint.numbers["field " + name + " " + std::to_string(c)];
@@ -194,7 +168,7 @@ void Stepper::restore(const Checkpoint& checkpoint) {
     for (std::size_t i = 0; i < images.size(); ++i)
       world_.particles.images[d][i] = static_cast<std::int32_t>(images[i]);
   }
-  for (const std::string& name : kept_fields()) {
+  for (const std::string& name : checkpointed_fields(setup_)) {
     Field& field = world_.fields.at(name);
     for (int c = 0; c < field.components(); ++c) {
       const auto& values = take(checkpoint.numbers, "field " + name + " " + std::to_string(c));

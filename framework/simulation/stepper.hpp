@@ -33,6 +33,8 @@ class MESOGEN_EXPORT Stepper {
 
   [[nodiscard]] World& world() { return world_; }
   [[nodiscard]] Executor& executor() { return executor_; }
+  /// Largest speed after the last step, m/s.
+  [[nodiscard]] double fastest() const { return motion_.fastest; }
   [[nodiscard]] const StepControl& control() const { return control_; }
   [[nodiscard]] const Setup& setup() const { return setup_; }
 
@@ -50,7 +52,6 @@ class MESOGEN_EXPORT Stepper {
  private:
   void add_fields();
   void set_initial_fields();
-  [[nodiscard]] std::vector<std::string> kept_fields() const;
 
   Setup& setup_;
   World world_;

@@ -108,43 +108,6 @@ class WrongCases(CommandTest):
 
 
 class Looks(CommandTest):
-    def test_check_tells_the_facts_and_writes_nothing(self):
-        out, err = self.mesogen("check", self.write_case())
-        self.assertEqual(err, "")
-        for part in ("256", "0.13333", "about 50 neighbours", "1.6 m x 1.6 m", "quintic.so", "sound:", "can be run"):
-            self.assertIn(part, out)
-        self.assertEqual(os.listdir(self.folder), ["case.toml"])
-
-    def test_step_that_is_too_long_is_told(self):
-        out, _ = self.mesogen("check", self.write_case(), "--set", "time.step=1.0")
-        self.assertRegex(out, r"viscosity: \S.* s   time\.step is \S+ times as long: the run will break down\n")
-        out, _ = self.mesogen("check", self.write_case(), "--set", "time.step=1e-6")
-        self.assertNotIn("break down", out)
-
-    def test_spacing_that_does_not_come_out_is_told(self):
-        fitted = "spacing 0.1 m along x, 0.1 m along y, so that whole rows fit the box"
-        case = self.write_case(CASE.replace("spacing = 0.1", "spacing = 0.0995"))
-        out, _ = self.mesogen("check", case)
-        self.assertIn(f"spacing 0.0995 m\n                {fitted}\n", out)
-        _, err = self.mesogen("run", case, "--output", "out")
-        self.assertIn(f"particles.spacing is 0.0995 m: {fitted}\n", err)
-        out, _ = self.mesogen("check", self.write_case())
-        self.assertNotIn("fit the box", out)
-
-    def test_misspelt_section_is_told_once(self):
-        for right, wrong in (("domain", "domian"), ("director", "directr"), ("kernel", "kernal")):
-            _, err = self.mesogen("check", self.write_case(CASE.replace(f"[{right}]", f"[{wrong}]")), code=2)
-            self.assertRegex(err, rf'^error: \S*case\.toml:\d+:\d+: {wrong}: unknown section or key; did you mean '
-                                  rf'"{right}"\?\n$')
-
-    def test_check_of_every_case_of_the_project(self):
-        cases = [os.path.join(folder, file) for folder, _, files in os.walk(os.path.join(PROJECT, "cases"))
-                 for file in files if file.endswith(".toml") and file != "answer.toml"]
-        self.assertTrue(cases)
-        for case in cases:
-            out, _ = self.mesogen("check", case)
-            self.assertIn("can be run", out)
-
     def test_graph_as_text_shows_order_and_pruning(self):
         out, _ = self.mesogen("graph", self.write_case())
         self.assertLess(out.index("physics.flow: "), out.index("physics.activity: "))

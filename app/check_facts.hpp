@@ -1,0 +1,38 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "forecast/dimensionless_numbers.hpp"
+#include "forecast/memory.hpp"
+#include "forecast/steps.hpp"
+#include "forecast/timing.hpp"
+#include "json.hpp"
+#include "plugin/registry.hpp"
+#include "simulation/setup.hpp"
+
+namespace mesogen::app {
+
+/// What `mesogen check` finds out about a case.
+struct CheckFacts {
+  std::vector<SceneNumber> numbers;
+  StepForecast steps;
+  MemoryForecast memory;
+  double memory_available = 0.0;  ///< bytes; 0: unknown
+  double frames = 0.0;            ///< stored
+  double frame_bytes = 0.0;
+  double checkpoint_bytes = 0.0;
+  std::optional<TimeForecast> time;
+  std::string not_timed;     ///< why there is no time
+  bool breaks_down = false;  ///< within the first steps; not_timed tells how
+};
+
+/// `timed`: also take some steps. `program`: bytes resident before the case was set up. The setup is used up.
+CheckFacts check_facts(Setup& setup, bool timed, double program);
+
+/// For people, and for programs.
+std::string check_text(const Setup& setup, const PluginRegistry& registry, const CheckFacts& facts);
+Json check_json(const Setup& setup, const PluginRegistry& registry, const CheckFacts& facts);
+
+}  // namespace mesogen::app

@@ -1,0 +1,96 @@
+#include <cmath>
+
+#include "check_facts.hpp"
+
+namespace mesogen::app {
+
+namespace {
+
+Json number_or_null(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+
+Json scene_json(const Setup& setup) {
+  const Scene& scene = setup.scene;
+  return {{"box", {scene.box[0], scene.box[1]}},
+          {"particles", scene.particle_count},
+          {"arrangement", setup.source.particles.arrangement},
+          {"spacing", scene.spacing},
+          {"smoothing_length", scene.smoothing_length},
+          {"support", scene.support},
+          {"precision", scene.precision == Precision::single_precision ? "single" : "double"},
+          {"constants", scene.constants}};
+}
+
+Json steps_json(const Setup& setup, const StepForecast& steps) {
+  Json limits = Json::array();
+  for (const auto& limit : setup.limits.all()) limits.push_back({{"name", limit.name}, {"seconds", limit.seconds}});
+  return {{"end", setup.source.time.end},
+          {"fixed", steps.fixed},
+          {"limits", limits},
+          {"binds", steps.limit},
+          {"step", number_or_null(steps.first)},
+          {"speed", steps.speed},
+          {"binds_at_speed", steps.limit_at_speed},
+          {"step_at_speed", number_or_null(steps.at_speed)},
+          {"steps_at_rest", steps.at_rest},
+          {"steps_at_least", steps.expected}};
+}
+
+Json time_json(const TimeForecast& time) {
+  return {{"threads", time.threads},     {"timed_steps", time.timed_steps}, {"start", time.start},
+          {"step", time.step},           {"sorting", time.sorting},         {"sortings", time.sortings},
+          {"observing", time.observing}, {"writing", time.writing},         {"wall", time.wall}};
+}
+
+Json memory_json(const CheckFacts& facts) {
+  const auto items = [](const std::vector<MemoryForecast::Item>& all) {
+    Json list = Json::array();
+    for (const auto& item : all) list.push_back({{"what", item.what}, {"bytes", std::round(item.bytes)}});
+    return list;
+  };
+  return {{"peak", std::round(facts.memory.peak())},
+          {"available", facts.memory_available},
+          {"lasting", items(facts.memory.lasting)},
+          {"now_and_then", items(facts.memory.now_and_then)}};
+}
+
+Json plugin_json(const PluginRegistry& registry, PluginKind kind, const PluginChoice& choice) {
+  const auto& plugin = *registry.find(kind, choice.type);
+  return {{"section", choice.section.path()},
+          {"type", choice.type},
+          {"version", plugin.descriptor->version},
+          {"file", plugin.file.string()},
+          {"instruction_set", plugin.instruction_set}};
+}
+
+Json plugins_json(const Case& source, const PluginRegistry& registry) {
+  Json all = Json::array();
+  all.push_back(plugin_json(registry, PluginKind::kernel, source.kernel));
+  all.push_back(plugin_json(registry, PluginKind::boundary, source.boundary));
+  for (const auto& choice : source.physics) all.push_back(plugin_json(registry, PluginKind::physics, choice));
+  for (const auto& choice : source.observers) all.push_back(plugin_json(registry, PluginKind::observer, choice));
+  return all;
+}
+
+}  // namespace
+
+Json check_json(const Setup& setup, const PluginRegistry& registry, const CheckFacts& facts) {
+  Json numbers = Json::object();
+  for (const SceneNumber& number : facts.numbers)
+    numbers[number.name] = {{"value", number.value}, {"unit", number.unit}, {"meaning", number.meaning}};
+  Json all = {{"title", setup.source.title},
+              {"scene", scene_json(setup)},
+              {"steps", steps_json(setup, facts.steps)},
+              {"numbers", numbers},
+              {"time", facts.time ? time_json(*facts.time) : Json(nullptr)}};
+  if (!facts.time) all["not_timed"] = facts.not_timed;
+  all["breaks_down"] = facts.breaks_down;
+  all["memory"] = memory_json(facts);
+  all["disk"] = {{"frames", facts.frames},
+                 {"frame", facts.frame_bytes},
+                 {"checkpoint", facts.checkpoint_bytes},
+                 {"fields", setup.output_fields}};
+  all["plugins"] = plugins_json(setup.source, registry);
+  return all;
+}
+
+}  // namespace mesogen::app

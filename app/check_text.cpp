@@ -1,0 +1,116 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "check_facts.hpp"
+
+namespace mesogen::app {
+
+namespace {
+
+std::string plugin_text(const PluginRegistry& registry, PluginKind kind, const PluginChoice& choice) {
+  const auto& plugin = *registry.find(kind, choice.type);
+  return fmt::format("  {:<24} {} {}: {} ({})\n", choice.section.path(), choice.type, plugin.descriptor->version,
+                     plugin.file.string(), plugin.instruction_set);
+}
+
+std::string plugins_text(const Case& source, const PluginRegistry& registry) {
+  std::string text = "plugins\n" + plugin_text(registry, PluginKind::kernel, source.kernel) +
+                     plugin_text(registry, PluginKind::boundary, source.boundary);
+  for (const auto& choice : source.physics) text += plugin_text(registry, PluginKind::physics, choice);
+  for (const auto& choice : source.observers) text += plugin_text(registry, PluginKind::observer, choice);
+  return text;
+}
+
+std::string scene_text(const Setup& setup) {
+  const Case& source = setup.source;
+  const Scene& scene = setup.scene;
+  const double neighbours = std::numbers::pi * std::pow(scene.support / scene.spacing, 2);
+  std::string text;
+  if (!source.title.empty()) text += fmt::format("title           {}\n", source.title);
+  text += fmt::format("box             {:.6g} m x {:.6g} m\n", scene.box[0], scene.box[1]);
+  text += fmt::format("particles       {}, {}, spacing {:.6g} m\n", scene.particle_count, source.particles.arrangement,
+                      scene.spacing);
+  if (const auto fitted = fitted_spacing_text(source); !fitted.empty())
+    text += fmt::format("                {}\n", fitted);
+  text += fmt::format("kernel          smoothing length {:.6g} m, support {:.6g} m, about {:.0f} neighbours\n",
+                      scene.smoothing_length, scene.support, neighbours);
+  text += fmt::format("precision       {}\n", scene.precision == Precision::single_precision ? "single" : "double");
+  return text;
+}
+
+std::string steps_text(const Setup& setup, const StepForecast& steps) {
+  const auto& time = setup.source.time;
+  std::string text;
+  if (time.step) {
+    text += fmt::format("time            {:.6g} s, in {} steps of {:.6g} s\n", time.end, steps.expected, *time.step);
+  } else {
+    text += fmt::format("time            {:.6g} s, step chosen as the run goes, times {:.6g}\n", time.end, time.factor);
+  }
+  text += "step limits, beside those of the motion\n";
+  for (const auto& limit : setup.limits.all()) {
+    text += fmt::format("  {:<46} {:.6g} s", limit.name, limit.seconds);
+    if (limit.name == steps.limit) text += "   binds";
+    if (time.step && *time.step > limit.seconds)
+      text += fmt::format("   time.step is {:.3g} times as long: the run will break down", *time.step / limit.seconds);
+    text += '\n';
+  }
+  if (!steps.fixed && steps.speed > 0.0 && steps.limit_at_speed != steps.limit)
+    text += fmt::format("  {:<46} {:.6g} s   binds at {:.3g} m/s\n", steps.limit_at_speed, steps.at_speed, steps.speed);
+  return text;
+}
+
+std::string numbers_text(const std::vector<SceneNumber>& numbers) {
+  if (numbers.empty()) return {};
+  std::string text = "numbers\n";
+  for (const SceneNumber& number : numbers)
+    text += fmt::format("  {:<27} {:>9} {:<4} {}\n", number.name, fmt::format("{:.4g}", number.value),
+                        number.unit == "1" ? "" : number.unit, number.meaning);
+  return text;
+}
+
+std::string duration_text(double seconds) {
+  if (seconds < 99.5) return fmt::format("{:.2g} s", seconds);
+  if (seconds < 99.5 * 60.0) return fmt::format("{:.0f} min", seconds / 60.0);
+  if (seconds < 72.0 * 3600.0) return fmt::format("{:.0f} h", seconds / 3600.0);
+  return fmt::format("{:.0f} days", seconds / 86400.0);
+}
+
+std::string bytes_text(double bytes) {
+  return bytes < 1e9 ? fmt::format("{:.3g} MB", bytes / 1e6) : fmt::format("{:.3g} GB", bytes / 1e9);
+}
+
+std::string run_text(const Setup& setup, const CheckFacts& facts) {
+  std::string text = "a run\n";
+  const char* const or_more = facts.steps.fixed ? "" : " or more";
+  text += fmt::format("  steps           {}{}\n", facts.steps.expected, or_more);
+  if (facts.time) {
+    const TimeForecast& time = *facts.time;
+    text += fmt::format("  wall time       {}{} with {} thread{}: {:.3g} ms a step (from {} steps)\n",
+                        duration_text(time.wall), or_more, time.threads, time.threads == 1 ? "" : "s", 1e3 * time.step,
+                        time.timed_steps);
+  } else {
+    text += fmt::format("  wall time       not measured: {}\n", facts.not_timed);
+  }
+  const double peak = facts.memory.peak();
+  text += fmt::format("  memory          {}", bytes_text(peak));
+  if (facts.memory_available > 0.0 && peak > facts.memory_available)
+    text += fmt::format(", more than the {} that can be had here", bytes_text(facts.memory_available));
+  text += fmt::format("\n  disk            {}: {:.0f} frames of {}, two checkpoints of {}\n",
+                      bytes_text(facts.frames * facts.frame_bytes + 2.0 * facts.checkpoint_bytes), facts.frames,
+                      bytes_text(facts.frame_bytes), bytes_text(facts.checkpoint_bytes));
+  text += fmt::format("  stored fields   position{}{} every {:.6g} s\n", setup.output_fields.empty() ? "" : ", ",
+                      fmt::join(setup.output_fields, ", "), setup.source.output.interval);
+  return text;
+}
+
+}  // namespace
+
+std::string check_text(const Setup& setup, const PluginRegistry& registry, const CheckFacts& facts) {
+  return scene_text(setup) + steps_text(setup, facts.steps) + numbers_text(facts.numbers) + run_text(setup, facts) +
+         plugins_text(setup.source, registry);
+}
+
+}  // namespace mesogen::app

@@ -1,0 +1,167 @@
+#include "forecast/memory.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <set>
+
+#include "domain/neighbourhood.hpp"
+#include "simulation/planned_fields.hpp"
+
+namespace mesogen {
+
+namespace {
+
+constexpr double exact = sizeof(double);
+constexpr double single = sizeof(float);
+
+// What a run touches beyond what a check has: the code that computes and writes, HDF5's own tables.
+constexpr double running_code = 8.5e6;
+
+// The allocator keeps some of what is freed: of what comes and goes, more is resident than is in use.
+constexpr double kept = 1.25;
+
+// Lanes of weights over neighbours within the support: blocks are not full. Measured, quintic and Wendland kernels on
+// lattices, 1.6 to 1.9.
+constexpr double lanes_per_neighbour = 1.75;
+
+class Counted {
+ public:
+  explicit Counted(const Setup& setup)
+      : setup_(setup),
+        scene_(setup.scene),
+        number_(scene_.precision == Precision::single_precision ? single : exact),
+        particles_(scene_.particle_count),
+        axes_(scene_.dimension),
+        reach_(scene_.support + Neighbourhood::skin_in_spacings * scene_.spacing),
+        neighbours_(std::numbers::pi * std::pow(scene_.support / scene_.spacing, 2)) {
+    Copies copies;
+    const auto& position = setup.arrangement.position;
+    const double* axes[3] = {position[0].data(), position[1].data(), position[2].data()};
+    setup.boundary->copies(scene_, axes, scene_.particle_count, reach_, copies);
+    copies_ = static_cast<double>(copies.source.size());
+    Dummies dummies;
+    setup.boundary->dummies(scene_, reach_, dummies);
+    dummies_ = static_cast<double>(dummies.position.size());
+  }
+
+  [[nodiscard]] double positions() const {
+    const double start = axes_ * exact;                            // where the case puts them
+    const double now = axes_ * (exact + 4.0) + 8.0;                // position, image, id
+    const double sorted = axes_ * exact + 4.0 + 4.0;               // position at the last sorting, cell, order
+    return particles_ * (start + now + sorted + axes_ * number_);  // and relative to a tile
+  }
+
+  [[nodiscard]] double neighbour_search() const {
+    const CellGrid grid(scene_, *setup_.boundary, reach_);
+    const double beyond = axes_ * (exact + number_);             // tile, and position relative to it
+    const double wall = 48.0 + neighbours_ / 2.0 * 16.0 + 64.0;  // dummy and mirror; weights; a vector's room
+    return 8.0 * grid.padded_count() + copies_ * (28.0 + beyond) + dummies_ * (wall + beyond);
+  }
+
+  [[nodiscard]] double fields() const {
+    double numbers = 0.0;  // a particle
+    bool masters = false;
+    const auto keep = [&](int components, bool integrated) {
+      numbers += components * (number_ == exact ? exact : single + (integrated ? exact : 0.0));
+      masters = masters || integrated;
+    };
+    for (const PlannedField& field : planned_fields(setup_)) keep(field.components, field.integrated);
+    for (const std::string& name : derived()) keep(setup_.catalogue.components(name), false);
+    const double scratch = (number_ == exact || masters ? exact : 0.0) + (number_ == single ? single : 0.0);
+    // Room is taken for a sixteenth more than there is.
+    return (particles_ + copies_ + dummies_) * numbers * 17.0 / 16.0 + particles_ * scratch;
+  }
+
+  /// Of derivatives where nothing moves; see sph/fixed_weights.hpp.
+  [[nodiscard]] double weights() const {
+    if (!setup_.graph->velocity().empty()) return 0.0;
+    bool gradient = false;
+    bool laplacian = false;
+    for (const std::string& name : setup_.graph->derived_for_integration()) {
+      gradient = gradient || name.ends_with("_gradient");
+      laplacian = laplacian || name.ends_with("_laplacian");
+    }
+    const double kinds = (gradient ? axes_ : 0.0) + (laplacian ? 1.0 : 0.0);
+    if (kinds == 0.0) return 0.0;
+    return particles_ * (8.0 + neighbours_ * lanes_per_neighbour * (kinds * number_ + 4.0 / 8.0));
+  }
+
+  [[nodiscard]] double checkpoint() const {
+    double numbers = 2.0 * axes_;  // position, and that at the last sorting
+    for (const std::string& name : checkpointed_fields(setup_)) numbers += setup_.catalogue.components(name);
+    const double integers = 1.0 + axes_;  // id, images
+    return particles_ * 8.0 * (numbers + integers);
+  }
+
+  [[nodiscard]] double frame(bool in_memory) const {
+    double bytes = axes_ * (exact + (in_memory ? exact : 4.0));  // position, image
+    for (const std::string& name : setup_.output_fields)
+      bytes += setup_.catalogue.components(name) * (in_memory ? exact : number_);
+    return particles_ * bytes;
+  }
+
+  /// The most that an observer reads at a time: its fields, positions and the order of ids, in double.
+  [[nodiscard]] double sample() const {
+    double most = 0.0;
+    for (const auto& observer : setup_.observers) {
+      double numbers = axes_ + 1.0;
+      for (const std::string& name : observer.fields) numbers += setup_.catalogue.components(name);
+      most = std::max(most, particles_ * exact * numbers);
+    }
+    return most;
+  }
+
+ private:
+  [[nodiscard]] std::set<std::string> derived() const {
+    std::set<std::string> all = setup_.graph->derived_for_integration();
+    for (std::size_t n = 0; n <= setup_.observers.size(); ++n) {
+      const auto& more = setup_.graph->derived_for_reader(n);
+      all.insert(more.begin(), more.end());
+    }
+    if (!all.empty()) all.insert("volume");
+    return all;
+  }
+
+  const Setup& setup_;
+  const Scene& scene_;
+  double number_;  // bytes
+  double particles_;
+  double axes_;
+  double reach_;
+  double neighbours_;
+  double copies_ = 0.0;
+  double dummies_ = 0.0;
+};
+
+}  // namespace
+
+double MemoryForecast::peak() const {
+  double all = 0.0;
+  for (const Item& item : lasting) all += item.bytes;
+  double most = 0.0;
+  for (const Item& item : now_and_then) most = std::max(most, item.bytes);
+  return all + most;
+}
+
+MemoryForecast forecast_memory(const Setup& setup, double program) {
+  const Counted counted(setup);
+  MemoryForecast forecast;
+  forecast.lasting = {{"the program and its plugins", program + running_code},
+                      {"positions", counted.positions()},
+                      {"neighbour search", counted.neighbour_search()},
+                      {"fields", counted.fields()}};
+  if (const double weights = counted.weights(); weights > 0.0) forecast.lasting.push_back({"weights", weights});
+  // Encoding holds the values, the file in memory, and the bytes that are written.
+  const double frame = counted.frame(true) + 2.0 * counted.frame(false);
+  forecast.now_and_then = {{"a checkpoint", kept * 3.0 * counted.checkpoint()},
+                           {"a frame", kept * frame},
+                           {"a sample", kept * counted.sample()}};
+  return forecast;
+}
+
+double frame_bytes(const Setup& setup) { return Counted(setup).frame(false); }
+
+double checkpoint_bytes(const Setup& setup) { return Counted(setup).checkpoint(); }
+
+}  // namespace mesogen

@@ -1,0 +1,158 @@
+#include "forecast/timing.hpp"
+
+#include <omp.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <vector>
+
+#include "forecast/dimensionless_numbers.hpp"
+#include "forecast/memory.hpp"
+#include "output/checkpoint_file.hpp"
+#include "output/frame.hpp"
+#include "simulation/observation.hpp"
+#include "simulation/stepper.hpp"
+
+namespace mesogen {
+
+namespace {
+
+constexpr int fewest_steps = 3;
+constexpr int most_steps = 1000;
+constexpr double bytes_per_second = 3e8;  // of a disk
+constexpr double seconds_per_file = 5e-3;
+
+template <class Action>
+double seconds(Action&& action) {
+  const auto from = std::chrono::steady_clock::now();
+  action();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - from).count();
+}
+
+/// The first steps of a run, each part by itself.
+class Rehearsal {
+ public:
+  explicit Rehearsal(Setup& setup) : setup_(setup), stepper_(setup), observation_(stepper_) {}
+
+  void start() {
+    stepper_.start();
+    observation_.start();
+    observe(everybody(true));
+  }
+
+  /// One step, with these readers due at its end; s.
+  double step(const std::vector<bool>& due) {
+    return seconds([&] {
+      const double later = stepper_.world().time + 2.0 * setup_.source.time.end;
+      stepper_.advance(stepper_.next_step(later).seconds, due);
+      observe(due);
+    });
+  }
+
+  /// One step alone; s.
+  double step() { return step(everybody(false)); }
+
+  /// A step with nobody but reader n due; s.
+  double step_for(std::size_t n) {
+    auto due = everybody(false);
+    due[n] = true;
+    return step(due);
+  }
+
+  double sorting() {
+    return seconds([&] { stepper_.world().sort_anew(); });
+  }
+
+  /// Making the bytes of a checkpoint; s.
+  double checkpoint() {
+    return seconds([&] {
+      Checkpoint checkpoint;
+      stepper_.save(checkpoint);
+      observation_.save(checkpoint);
+      (void)output::encode_checkpoint(checkpoint, 0);
+    });
+  }
+
+  [[nodiscard]] std::size_t readers() const { return setup_.observers.size() + 1; }
+  [[nodiscard]] std::int64_t sortings() { return stepper_.world().neighbourhood.sortings(); }
+  [[nodiscard]] double skin() { return stepper_.world().neighbourhood.skin(); }
+  [[nodiscard]] double fastest() const { return stepper_.fastest(); }
+
+ private:
+  [[nodiscard]] std::vector<bool> everybody(bool due) const {
+    std::vector<bool> all(setup_.observers.size() + 1, due);
+    return all;
+  }
+
+  void observe(const std::vector<bool>& due) {
+    observation_.sample(due, [](const std::string&, const Sample&) {});
+    if (due.back()) (void)output::encode_frame(observation_.frame(), {});
+  }
+
+  Setup& setup_;
+  Stepper stepper_;
+  Observation observation_;
+};
+
+double times_due(const Setup& setup, std::size_t reader, std::int64_t steps) {
+  const double end = setup.source.time.end;
+  const bool output = reader == setup.observers.size();
+  const auto timing = output ? ObserverTiming{setup.source.output.interval, {}} : setup.observers[reader].timing;
+  const double last = 1.0;
+  if (timing.every) return std::floor(static_cast<double>(steps) / static_cast<double>(*timing.every)) + last;
+  if (timing.interval) return std::ceil(end / *timing.interval * (1.0 - 1e-9));
+  return last;
+}
+
+/// Particles are sorted anew when one has strayed by half the skin.
+double count_sortings(double steps, double step_size, double speed, double skin) {
+  if (!(speed > 0.0) || !std::isfinite(step_size)) return 0.0;
+  return steps / std::max(1.0, std::floor(skin / 2.0 / (speed * step_size)) + 1.0);
+}
+
+}  // namespace
+
+TimeForecast forecast_time(Setup& setup, const StepForecast& steps, double start_up, double budget) {
+  TimeForecast time;
+  time.threads = omp_get_max_threads();
+  Rehearsal run(setup);
+  time.start = start_up + seconds([&] { run.start(); });
+  const double fastest = run.fastest();
+  run.step();
+  run.sorting();
+  time.sorting = run.sorting();
+  run.step();
+
+  // Steps that happen to sort count for their number, without the sorting.
+  const std::int64_t sorted = run.sortings();
+  double stepping = 0.0;
+  while (time.timed_steps < fewest_steps || (stepping < budget && time.timed_steps < most_steps)) {
+    stepping += run.step();
+    ++time.timed_steps;
+  }
+  const double sorting = static_cast<double>(run.sortings() - sorted) * time.sorting;
+  time.step = std::max(stepping - sorting, stepping / 2.0) / time.timed_steps;
+
+  for (std::size_t n = 0; n < run.readers(); ++n) {
+    run.step_for(n);
+    const double extra = std::max(0.0, run.step_for(n) - time.step);
+    time.observing += extra * times_due(setup, n, steps.expected);
+  }
+  const double count = static_cast<double>(steps.expected);
+  const double speed = std::max(fastest, steps.speed > 0.0 ? steps.speed : expected_speed(setup.scene));
+  if (!setup.graph->velocity().empty())
+    time.sortings = count_sortings(count, std::min(steps.at_speed, setup.source.time.end), speed, run.skin());
+  const double computing = count * time.step + time.sortings * time.sorting + time.observing;
+
+  const double frames = 1.0 + times_due(setup, setup.observers.size(), steps.expected);
+  const double checkpoints = 2.0 + std::floor(computing / setup.source.output.checkpoint_interval);
+  const double a_checkpoint = run.checkpoint() + checkpoint_bytes(setup) / bytes_per_second + seconds_per_file;
+  // Each frame is written by itself, then read and written once more into the results.
+  const double a_frame = 3.0 * frame_bytes(setup) / bytes_per_second + 3.0 * seconds_per_file;
+  time.writing = checkpoints * a_checkpoint + frames * a_frame;
+  time.wall = time.start + computing + time.writing;
+  return time;
+}
+
+}  // namespace mesogen

@@ -1,0 +1,40 @@
+#include "simulation/planned_fields.hpp"
+
+#include <set>
+
+namespace mesogen {
+
+std::vector<PlannedField> planned_fields(const Setup& setup) {
+  std::set<std::string> used;
+  const auto use = [&](const std::vector<std::string>& names) { used.insert(names.begin(), names.end()); };
+  for (const Work& work : setup.graph->works()) {
+    if (work.pruned()) continue;
+    use(work.pass.own_reads);
+    use(work.pass.neighbour_reads);
+    use(work.pass.optional_reads);
+    use(work.pass.write_list);
+    use(work.pass.accumulate_list);
+  }
+  // Where all who add to a field are idle it stays zero.
+  for (const auto& observer : setup.observers) use(observer.fields);
+  use(setup.output_fields);
+  std::vector<PlannedField> planned;
+  for (const auto& [name, entry] : setup.catalogue.all()) {
+    const bool integrated = entry.declaration.advance != Advance::never;
+    if (integrated || setup.catalogue.is_state(name) || used.contains(name))
+      planned.push_back({name, setup.catalogue.components(name), integrated});
+  }
+  return planned;
+}
+
+std::vector<std::string> checkpointed_fields(const Setup& setup) {
+  std::vector<std::string> names;
+  for (const auto& [name, entry] : setup.catalogue.all()) {
+    if (!setup.catalogue.is_state(name)) continue;
+    names.push_back(name);
+    if (entry.declaration.advance == Advance::predicted) names.push_back(entry.declaration.rate);
+  }
+  return names;
+}
+
+}  // namespace mesogen
