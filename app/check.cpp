@@ -23,7 +23,11 @@ ExitCode check(const Options& options) {
   const auto registry = load_plugins(options.source.plugin_folders);
   const auto program = static_cast<double>(resident_memory());
   const auto setup = set_up(options.source, registry);
-  const CheckFacts facts = check_facts(*setup, !options.quick, program);
+  const CheckFacts facts = check_facts(*setup, !options.quick, program, [&](const std::vector<std::string>& settings) {
+    CaseOptions changed = options.source;
+    changed.overrides.insert(changed.overrides.end(), settings.begin(), settings.end());
+    return set_up(changed, registry);
+  });
   if (options.json) {
     fmt::print("{}", document(check_json(*setup, registry, facts)));
   } else {

@@ -1,9 +1,12 @@
 #pragma once
 
+#include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "forecast/advice.hpp"
 #include "forecast/dimensionless_numbers.hpp"
 #include "forecast/memory.hpp"
 #include "forecast/steps.hpp"
@@ -13,6 +16,15 @@
 #include "simulation/setup.hpp"
 
 namespace mesogen::app {
+
+/// A piece of advice, and what a run would be that follows it.
+struct AdviceFacts {
+  Advice advice;
+  std::int64_t particles = 0;
+  std::int64_t steps = 0;
+  double memory = 0.0;  ///< bytes
+  double disk = 0.0;    ///< bytes
+};
 
 /// What `mesogen check` finds out about a case.
 struct CheckFacts {
@@ -26,10 +38,14 @@ struct CheckFacts {
   std::optional<TimeForecast> time;
   std::string not_timed;     ///< why there is no time
   bool breaks_down = false;  ///< within the first steps; not_timed tells how
+  std::vector<AdviceFacts> advice;
 };
 
+/// The same case with these settings, as by --set; throws Error if they do not go with it.
+using SetUpWith = std::function<std::unique_ptr<Setup>(const std::vector<std::string>& settings)>;
+
 /// `timed`: also take some steps. `program`: bytes resident before the case was set up. The setup is used up.
-CheckFacts check_facts(Setup& setup, bool timed, double program);
+CheckFacts check_facts(Setup& setup, bool timed, double program, const SetUpWith& set_up_with);
 
 /// For people, and for programs.
 std::string check_text(const Setup& setup, const PluginRegistry& registry, const CheckFacts& facts);

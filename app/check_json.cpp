@@ -71,6 +71,20 @@ Json plugins_json(const Case& source, const PluginRegistry& registry) {
   return all;
 }
 
+Json advice_json(const std::vector<AdviceFacts>& advice) {
+  Json all = Json::array();
+  for (const AdviceFacts& one : advice)
+    all.push_back({{"name", one.advice.name},
+                   {"finding", one.advice.finding},
+                   {"settings", one.advice.settings},
+                   {"gain", one.advice.gain},
+                   {"particles", one.particles},
+                   {"steps", one.steps},
+                   {"memory", std::round(one.memory)},
+                   {"disk", one.disk}});
+  return all;
+}
+
 }  // namespace
 
 Json check_json(const Setup& setup, const PluginRegistry& registry, const CheckFacts& facts) {
@@ -89,6 +103,7 @@ Json check_json(const Setup& setup, const PluginRegistry& registry, const CheckF
                  {"frame", facts.frame_bytes},
                  {"checkpoint", facts.checkpoint_bytes},
                  {"fields", setup.output_fields}};
+  all["advice"] = advice_json(facts.advice);
   all["plugins"] = plugins_json(setup.source, registry);
   return all;
 }

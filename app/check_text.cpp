@@ -106,11 +106,38 @@ std::string run_text(const Setup& setup, const CheckFacts& facts) {
   return text;
 }
 
+/// What following a piece of advice changes, " -> " between before and after.
+std::string change_text(const Setup& setup, const CheckFacts& facts, const AdviceFacts& one) {
+  std::vector<std::string> changes;
+  const auto note = [&](const char* what, double before, double after, const auto& text) {
+    if (std::abs(after - before) > 0.05 * before)
+      changes.push_back(fmt::format("{} {} -> {}", what, text(before), text(after)));
+  };
+  const auto whole = [](double value) { return fmt::format("{:.0f}", value); };
+  note("particles", setup.scene.particle_count, static_cast<double>(one.particles), whole);
+  note("steps", static_cast<double>(facts.steps.expected), static_cast<double>(one.steps), whole);
+  note("memory", facts.memory.peak(), one.memory, bytes_text);
+  note("disk", facts.frames * facts.frame_bytes + 2.0 * facts.checkpoint_bytes, one.disk, bytes_text);
+  return fmt::format("{}", fmt::join(changes, ", "));
+}
+
+std::string advice_text(const Setup& setup, const CheckFacts& facts) {
+  if (facts.advice.empty()) return {};
+  std::string text = "advice\n";
+  for (const AdviceFacts& one : facts.advice) {
+    text += fmt::format("  {}\n      --set {}\n      {}\n", one.advice.finding,
+                        fmt::join(one.advice.settings, " --set "), one.advice.gain);
+    if (const std::string change = change_text(setup, facts, one); !change.empty())
+      text += fmt::format("      {}\n", change);
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string check_text(const Setup& setup, const PluginRegistry& registry, const CheckFacts& facts) {
   return scene_text(setup) + steps_text(setup, facts.steps) + numbers_text(facts.numbers) + run_text(setup, facts) +
-         plugins_text(setup.source, registry);
+         advice_text(setup, facts) + plugins_text(setup.source, registry);
 }
 
 }  // namespace mesogen::app

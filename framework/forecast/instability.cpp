@@ -62,6 +62,11 @@ std::optional<ActiveFluid> active_fluid(const Constants& constants) {
   return fluid;
 }
 
+std::optional<double> uniform_director(const Case& source) {
+  if (!source.director.given || source.director.type == "defects") return std::nullopt;
+  return source.director.angle;
+}
+
 double growth_rate(const ActiveFluid& fluid, double wave_number, double cosine) {
   const double of_director = -relaxation(fluid, wave_number);
   const double of_flow = -drag(fluid, wave_number);

@@ -3,6 +3,7 @@
 #include <array>
 #include <optional>
 
+#include "case/case.hpp"
 #include "mesogen/export.hpp"
 #include "mesogen/plugin/scene.hpp"
 
@@ -34,6 +35,9 @@ MESOGEN_EXPORT std::optional<ActiveFluid> active_fluid(const Constants& constant
 /// (the term with K only with elastic stress); this is the larger real part of the two eigenvalues.
 /// `wave_number`: k, 1/m.
 MESOGEN_EXPORT double growth_rate(const ActiveFluid& fluid, double wave_number, double cosine);
+
+/// The angle to the x axis of a director that is uniform at the start of a case but for small disturbances, rad.
+MESOGEN_EXPORT std::optional<double> uniform_director(const Case& source);
 
 struct Wave {
   double growth_rate = 0.0;      ///< 1/s

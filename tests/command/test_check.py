@@ -106,6 +106,26 @@ class Check(CommandTest):
         out, _ = self.mesogen("check", self.write_case(), "--quick")
         self.assertNotIn("fit the box", out)
 
+    def test_advice_with_what_following_it_changes(self):
+        case = self.write_case()
+        settings = "time.factor=0.5", "run.precision=double"
+        arguments = [word for setting in settings for word in ("--set", setting)]
+        out, _ = self.mesogen("check", case, "--quick", *arguments)
+        self.assertRegex(out, r"(?m)^advice\n(?:.*\n)*  the step is 0\.5 of what is stable\n"
+                              r"      --set time\.factor=1\n"
+                              r"      up to 2 times fewer steps, and as good an answer\n"
+                              r"      steps 46 -> 23\n")
+        told = {one["name"]: one for one in self.check(*arguments)["advice"]}
+        self.assertEqual(told["short_step"]["settings"], ["time.factor=1"])
+        self.assertEqual(told["short_step"]["steps"], 23)
+        followed = self.check(*arguments, "--set", "time.factor=1")
+        self.assertEqual(followed["steps"]["steps_at_least"], 23)
+        self.assertNotIn("short_step", [one["name"] for one in followed["advice"]])
+
+    def test_advice_that_does_not_go_with_the_case_is_not_given(self):
+        told = self.check("--set", "domain.size=[1.6, 0.8]")["advice"]  # 23 columns, but 11.5 rows
+        self.assertNotIn("core_under_resolved", [one["name"] for one in told])
+
     def test_misspelt_section_is_told_once(self):
         for right, wrong in (("domain", "domian"), ("director", "directr"), ("kernel", "kernal")):
             _, err = self.mesogen("check", self.write_case(CASE.replace(f"[{right}]", f"[{wrong}]")), code=2)

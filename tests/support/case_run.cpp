@@ -18,13 +18,13 @@ std::vector<double> by_id(const std::vector<std::int64_t>& id, const std::vector
 
 }  // namespace
 
-CaseRun::CaseRun(const CaseText& text) : CaseRun(text, true) {}
+CaseRun::CaseRun(const CaseText& text, const std::vector<std::string>& settings) : CaseRun(text, settings, true) {}
 
-CaseRun CaseRun::unstarted(const CaseText& text) { return {text, false}; }
+CaseRun CaseRun::unstarted(const CaseText& text) { return {text, {}, false}; }
 
-CaseRun::CaseRun(const CaseText& text, bool start) {
+CaseRun::CaseRun(const CaseText& text, const std::vector<std::string>& settings, bool start) {
   Problems problems;
-  Case source = read_case_text(text.text(), "test.toml", {}, problems);
+  Case source = read_case_text(text.text(), "test.toml", settings, problems);
   setup_ = set_up(std::move(source), built_plugins(), problems);
   stepper_ = std::make_unique<Stepper>(*setup_);
   nobody_.assign(setup_->observers.size() + 1, false);

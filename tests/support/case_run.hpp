@@ -13,8 +13,9 @@ namespace mesogen::test {
 /// A case run in this process, without a folder: as far as the test wants, with everything in reach.
 class CaseRun {
  public:
-  /// Throws Error with all problems of the case. Rates are evaluated at the start, as in a run.
-  explicit CaseRun(const CaseText& text);
+  /// Throws Error with all problems of the case. Rates are evaluated at the start, as in a run. `settings`: keys
+  /// changed, as by --set.
+  explicit CaseRun(const CaseText& text, const std::vector<std::string>& settings = {});
   /// Not started: for Stepper::restore.
   static CaseRun unstarted(const CaseText& text);
 
@@ -37,7 +38,7 @@ class CaseRun {
   [[nodiscard]] Setup& setup() { return *setup_; }
 
  private:
-  CaseRun(const CaseText& text, bool start);
+  CaseRun(const CaseText& text, const std::vector<std::string>& settings, bool start);
 
   std::unique_ptr<Setup> setup_;
   std::unique_ptr<Stepper> stepper_;

@@ -61,7 +61,7 @@ class Wcsph final : public Physics {
     constants["density"] = density_;
     constants["viscosity"] = viscosity_;
     constants["sound_speed"] = c0_;
-    constants["least_sound_speed"] = least_sound_speed_;
+    constants["automatic_sound_speed"] = automatic_sound_speed_;
   }
 
   // c0^2 >= max(100 u^2, stress / (rho delta), mu u / (rho L delta)) (Morris et al. 1997); above that it may rise at no
@@ -71,9 +71,9 @@ class Wcsph final : public Physics {
     const double length = *std::min_element(scene.box.begin(), scene.box.begin() + Dim);
     const double square = std::max({100.0 * speed * speed, scene.scales.stress / (density_ * density_variation_),
                                     viscosity_ * speed / (density_ * length * density_variation_)});
-    least_sound_speed_ = std::sqrt(square);
     const double free = 2.0 * viscosity_ / (density_ * scene.smoothing_length);
-    c0_ = sound_speed_ ? *sound_speed_ : std::max(least_sound_speed_, free);
+    automatic_sound_speed_ = std::max(std::sqrt(square), free);
+    c0_ = sound_speed_.value_or(automatic_sound_speed_);
   }
 
   void passes(PassList& list) override {
@@ -199,7 +199,7 @@ class Wcsph final : public Physics {
   bool feedback_ = false;
   double shift_ = 1.0;
   double c0_ = 0.0;
-  double least_sound_speed_ = 0.0;  // that keeps the density within its variation
+  double automatic_sound_speed_ = 0.0;
 };
 
 }  // namespace

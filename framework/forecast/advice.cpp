@@ -1,0 +1,31 @@
+#include "forecast/advice.hpp"
+
+#include "forecast/advice_rules.hpp"
+
+namespace mesogen {
+
+namespace rules {
+
+std::string key_of(const Setup& setup, const std::string& parameter) {
+  for (const auto& member : setup.physics) {
+    ParameterList list;
+    member.plugin->parameters(list);
+    for (const Parameter& declared : list.all())
+      if (declared.name == parameter) return member.instance + "." + parameter;
+  }
+  return {};
+}
+
+}  // namespace rules
+
+std::vector<Advice> advice(const AdviceInput& input) {
+  constexpr rules::Rule* all[] = {rules::few_neighbours,   rules::core_under_resolved, rules::core_over_resolved,
+                                  rules::sound_too_slow,   rules::sound_too_fast,      rules::short_step,
+                                  rules::double_precision, rules::nothing_grows,       rules::large_output};
+  std::vector<Advice> given;
+  for (rules::Rule* const rule : all)
+    if (auto one = rule(input)) given.push_back(std::move(*one));
+  return given;
+}
+
+}  // namespace mesogen

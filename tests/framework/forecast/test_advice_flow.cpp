@@ -1,0 +1,128 @@
+// Advice about kernel, sound, step and precision of a flow: each is followed, and does what it promises.
+
+#include <cmath>
+
+#include "followed.hpp"
+#include "forecast/memory.hpp"
+
+namespace {
+
+using namespace mesogen;
+using namespace mesogen::test;
+
+constexpr double end = 0.4;
+
+/// Speeds fall as exp(-8 pi^2 nu t).
+double error_of_speed(CaseRun& run, double viscosity = 0.01) {
+  const double exact = std::sqrt(0.5) * std::exp(-78.9568352 * viscosity * end);
+  return std::abs(run.observe("flow_statistics", "v_rms") / exact - 1.0);
+}
+
+TEST(Advice, HasNothingToSayOfAGoodCase) {
+  CaseRun run = CaseRun::unstarted(vortices().precision("single"));
+  for (const Advice& one : advice({run.setup(), forecast_steps(run.setup()), 1e12})) ADD_FAILURE() << one.name;
+}
+
+TEST(Advice, FewNeighboursClumpAndMoreDoNot) {
+  for (const char* length : {"1.0", "1.3333333"}) {
+    const CaseText text =
+        vortices().section("kernel", std::string("type = \"wendland_c2\"\nsmoothing_length = ") + length);
+    const auto found = advised(text, "few_neighbours");
+    ASSERT_TRUE(found);
+    EXPECT_EQ(found->settings, std::vector<std::string>{"kernel.smoothing_length=2"});
+    CaseRun before(text);
+    double wrong = 1.0;  // if it breaks down
+    try {
+      before.run_to(end);
+      wrong = error_of_speed(before);
+    } catch (const Error&) {
+    }
+    CaseRun after(text, found->settings);
+    after.run_to(end);
+    EXPECT_LT(error_of_speed(after), 0.03);
+    EXPECT_GT(wrong, 2.0 * 0.03);
+    EXPECT_GT(after.observe("flow_statistics", "min_spacing"), 0.4);
+    EXPECT_GT(after.stepper().control().at_rest(), before.stepper().control().at_rest());
+    expect_settled(text, *found);
+  }
+}
+
+TEST(Advice, FasterSoundVariesDensityLess) {
+  const CaseText text = vortices("sound_speed = 6.0");
+  const auto found = advised(text, "sound_too_slow");
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->settings, std::vector<std::string>{"physics.flow.sound_speed=auto"});
+  EXPECT_EQ(found->gain, "density varies some 2.7 times less");
+  CaseRun before(text);
+  CaseRun after(text, found->settings);
+  for (CaseRun* run : {&before, &after}) run->run_to(end);
+  const double less = density_variation(before) / density_variation(after);
+  EXPECT_GT(less, 0.5 * 2.7);
+  EXPECT_LT(less, 2.0 * 2.7);
+  EXPECT_LT(error_of_speed(after), 0.7 * error_of_speed(before));
+  expect_settled(text, *found);
+}
+
+// Where viscosity binds the step.
+TEST(Advice, FasterSoundThatIsFreeTakesNoMoreSteps) {
+  const CaseText text = vortices("sound_speed = 15.0", 1.0);
+  const auto found = advised(text, "sound_too_slow");
+  ASSERT_TRUE(found);
+  EXPECT_NE(found->finding.find("faster sound costs nothing up to there"), std::string::npos) << found->finding;
+  CaseRun before(text);
+  CaseRun after(text, found->settings);
+  EXPECT_DOUBLE_EQ(after.stepper().control().at_rest(), before.stepper().control().at_rest());
+  for (CaseRun* run : {&before, &after}) run->run_to(0.02);
+  EXPECT_GT(density_variation(before) / density_variation(after), 4.0);
+  EXPECT_EQ(after.world().step, before.world().step);
+}
+
+TEST(Advice, SlowerSoundTakesFewerSteps) {
+  const CaseText text = vortices("sound_speed = 20.0");
+  const auto found = advised(text, "sound_too_fast");
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->gain, "2 times fewer steps");
+  CaseRun before(text);
+  CaseRun after(text, found->settings);
+  for (CaseRun* run : {&before, &after}) run->run_to(end);
+  EXPECT_NEAR(static_cast<double>(before.world().step) / static_cast<double>(after.world().step), 2.0, 0.1);
+  EXPECT_LT(error_of_speed(after), 0.03);
+  EXPECT_LT(density_variation(after), 0.05);
+  expect_settled(text, *found);
+}
+
+TEST(Advice, LongerStepsAreAsGood) {
+  for (const char* time : {"end = 0.4\nfactor = 0.5", "end = 0.4\nstep = 0.00055"}) {
+    const CaseText text = vortices().section("time", time);
+    const auto found = advised(text, "short_step");
+    ASSERT_TRUE(found);
+    EXPECT_EQ(found->gain, "up to 2 times fewer steps, and as good an answer");
+    CaseRun before(text);
+    CaseRun after(text, found->settings);
+    for (CaseRun* run : {&before, &after}) run->run_to(end);
+    EXPECT_NEAR(static_cast<double>(before.world().step) / static_cast<double>(after.world().step), 2.0, 0.1);
+    EXPECT_LT(error_of_speed(after), error_of_speed(before) + 0.005);
+    expect_settled(text, *found);
+  }
+}
+
+TEST(Advice, SinglePrecisionGivesTheSameAnswer) {
+  CaseText text(10.0, 24);
+  text.modes("director", "[[1, 0, 0.05, 0.3], [0, 1, 0.03, 1.1], [1, 1, 0.02, 2.0], [2, -1, 0.02, 0.7]]")
+      .flow(2.0 / 3.0)
+      .nematic(0.4, 0.7, 0.02)
+      .active(0.05)
+      .read("\"velocity\", \"velocity_gradient\"");
+  const auto found = advised(text, "double_precision");
+  ASSERT_TRUE(found);
+  CaseRun before(text);
+  CaseRun after(text, found->settings);
+  for (CaseRun* run : {&before, &after}) run->run_to(20.0);
+  for (const char* quantity : {"v_rms", "vorticity_rms"})
+    EXPECT_NEAR(after.observe("flow_statistics", quantity) / before.observe("flow_statistics", quantity), 1.0, 1e-3);
+  EXPECT_EQ(after.world().step, before.world().step);
+  EXPECT_LT(frame_bytes(after.setup()), 0.8 * frame_bytes(before.setup()));
+  EXPECT_FALSE(advised(text.precision("single"), "double_precision"));
+}
+
+}  // namespace
