@@ -28,11 +28,11 @@ ExitCode list(const CaseOptions& options) {
     fmt::print("{}\n", text);
   };
   line("FIELD", "RANK", "UNIT", "FROM", "");
-  const StepGraph& graph = *setup->graph;
+  const Transport& flow = setup->graph->transport();
   line("position", to_string(Rank::vector), "m", "framework",
-       graph.velocity().empty()
+       flow.velocity.empty() || flow.fixed
            ? "fixed"
-           : "advanced with " + graph.velocity() + (graph.shift().empty() ? "" : " + " + graph.shift()));
+           : "advanced with " + flow.velocity + (flow.shift.empty() ? "" : " + " + flow.shift));
   for (const auto& [name, entry] : setup->catalogue.all()) {
     line(name, to_string(entry.declaration.rank), entry.declaration.unit_text, entry.owner,
          advance_text(entry.declaration));

@@ -40,8 +40,7 @@ void ask(PluginFacts& facts, Physics& physics) {
   facts.fields.assign(list.fields().begin(), list.fields().end());
   facts.passes.assign(list.passes().begin(), list.passes().end());
   for (auto& pass : facts.passes) pass.body = nullptr;
-  facts.velocity = list.velocity();
-  facts.shift = list.shift();
+  facts.transport = list.transport();
 }
 
 void ask(PluginFacts& facts, Observer& observer) {

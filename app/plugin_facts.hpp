@@ -29,8 +29,7 @@ struct PluginFacts {
 
   std::vector<FieldDeclaration> fields;  ///< physics, with default parameters
   std::vector<Pass> passes;              ///< without their bodies
-  std::string velocity;                  ///< moves the particles with this field
-  std::string shift;                     ///< and, beside it, with this one
+  Transport transport;                   ///< how it moves the particles, if it does
   std::vector<std::string> constants;    ///< that it publishes by name
 
   std::vector<std::string> reads;  ///< observers

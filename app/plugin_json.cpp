@@ -82,7 +82,7 @@ Json info_json(const PluginFacts& plugin) {
     one["fields"] = fields_json(plugin);
     one["passes"] = passes_json(plugin);
     one["constants"] = plugin.constants;
-    one["moves_particles"] = {{"velocity", plugin.velocity}, {"shift", plugin.shift}};
+    one["moves_particles"] = {{"velocity", plugin.transport.velocity}, {"shift", plugin.transport.shift}};
   }
   if (plugin.kind == PluginKind::observer) {
     one["reads"] = plugin.reads;

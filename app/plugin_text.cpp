@@ -75,8 +75,8 @@ void tell_passes(Text& text, const PluginFacts& plugin) {
     text.list("    adds to", pass.accumulate_list);
   }
   text.list("publishes the constants", plugin.constants);
-  if (!plugin.velocity.empty())
-    text.line("moves particles with: {}{}", plugin.velocity, plugin.shift.empty() ? "" : ", " + plugin.shift);
+  if (const Transport& flow = plugin.transport; !flow.velocity.empty())
+    text.line("moves particles with: {}{}", flow.velocity, flow.shift.empty() ? "" : ", " + flow.shift);
 }
 
 void tell_quantities(Text& text, const PluginFacts& plugin) {

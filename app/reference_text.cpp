@@ -133,9 +133,9 @@ void write_passes(Page& page, const PluginFacts& plugin) {
                 codes(pass.optional_reads), codes(pass.write_list), codes(pass.accumulate_list)});
   }
   if (!plugin.constants.empty()) page.line("\nPublishes the constants {}.", codes(plugin.constants));
-  if (!plugin.velocity.empty())
-    page.line("\nParticles move with {}{}.", code(plugin.velocity),
-              plugin.shift.empty() ? "" : " and " + code(plugin.shift));
+  if (!plugin.transport.velocity.empty())
+    page.line("\nParticles move with {}{}.", code(plugin.transport.velocity),
+              plugin.transport.shift.empty() ? "" : " and " + code(plugin.transport.shift));
 }
 
 void write_quantities(Page& page, const PluginFacts& plugin) {

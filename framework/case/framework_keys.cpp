@@ -135,6 +135,9 @@ ParameterList time(Case::Time& time) {
   ParameterList list;
   list.number("end", time.end).unit("s").doc("simulated time to run").above(0.0).required();
   list.number_or("step", time.step, "auto").unit("s").doc("time step").above(0.0);
+  list.text("scheme", time.scheme)
+      .choices({"half_steps", "midpoint"})
+      .doc("velocity and order tensor advanced by halves of the rates before and after, or by the midpoint's alone");
   if (applies(time, "factor"))
     list.number("factor", time.factor).doc("automatic step in multiples of its stability limit").above(0.0);
   return list;

@@ -86,6 +86,17 @@ void Field::fill_zero() {
   }
 }
 
+void Field::copy_master(Field& of) {
+  const FieldView<double> from = of.master();
+  const FieldView<double> to = master();
+  for (int c = 0; c < components_; ++c) {
+    const double* const source = from.component(c);
+    double* const target = to.component(c);
+#pragma omp parallel for schedule(static)
+    for (Index i = 0; i < particles_; ++i) target[i] = source[i];
+  }
+}
+
 void Field::permute(const std::vector<Index>& order, Scratch& scratch) {
   for (int c = 0; c < components_; ++c) {
     if (!single_.empty()) permute_component(single_.data() + c * stride_, order, scratch.single);

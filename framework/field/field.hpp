@@ -36,6 +36,8 @@ class MESOGEN_EXPORT Field {
   [[nodiscard]] double value(int component, Index particle) const;
   void set(int component, Index particle, double value);
   void fill_zero();
+  /// Takes the doubles of an integrated field of as many components.
+  void copy_master(Field& of);
 
   /// Room that permuting a field takes; one for all of them.
   struct Scratch {

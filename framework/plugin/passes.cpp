@@ -83,9 +83,4 @@ Pass& PassList::pass(std::string_view name, Phase phase) {
   return pass;
 }
 
-void PassList::moves_particles(std::string_view velocity, std::string_view shift) {
-  velocity_ = velocity;
-  shift_ = shift;
-}
-
 }  // namespace mesogen

@@ -59,9 +59,14 @@ std::string StepGraph::text() const {
       if (!derived_for_integration_.contains(field)) seldom.insert(field);
   if (!seldom.empty())
     text += fmt::format("offered by the framework, when a reader is due\n      {}\n", fmt::join(seldom, ", "));
-  text += velocity_.empty()
-              ? std::string("nothing moves: neighbours are found once\n")
-              : fmt::format("particles move with {}{}\n", velocity_, shift_.empty() ? "" : " and " + shift_);
+  const Transport& flow = transport_;
+  if (flow.velocity.empty()) {
+    text += "nothing moves: neighbours are found once\n";
+  } else if (flow.fixed) {
+    text += fmt::format("{} flows past the particles: neighbours are found once\n", flow.velocity);
+  } else {
+    text += fmt::format("particles move with {}{}\n", flow.velocity, flow.shift.empty() ? "" : " and " + flow.shift);
+  }
   for (const Work& work : works_)
     if (work.pruned())
       text +=

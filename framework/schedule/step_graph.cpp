@@ -4,6 +4,7 @@
 
 #include "case/nearest.hpp"
 #include "mesogen/diagnostics/error.hpp"
+#include "schedule/advection.hpp"
 #include "schedule/derived_name.hpp"
 
 namespace mesogen {
@@ -42,27 +43,22 @@ StepGraph::StepGraph(const Catalogue& catalogue, const std::vector<Member>& memb
       work.for_observer.assign(readers.size(), false);
       works_.push_back(std::move(work));
     }
-    if (member.passes->velocity().empty()) continue;
-    if (!velocity_.empty())
+    if (member.passes->transport().velocity.empty()) continue;
+    if (!transport_.velocity.empty())
       throw Error(ExitCode::bad_case,
                   "two physics plugins move the particles, the second is " + member.instance + ": a case has one flow");
-    velocity_ = member.passes->velocity();
-    shift_ = member.passes->shift();
+    transport_ = member.passes->transport();
   }
+  add_advection();
   check_fields();
   check_writers();
-  const auto added_to = [&](const std::string& field) {
-    return std::any_of(works_.begin(), works_.end(),
-                       [&](const Work& work) { return makes(work, field) && !work.pass.adds_nothing; });
-  };
-  if (!shift_.empty() && !added_to(shift_)) shift_.clear();
 
   Need integration{{}, &derived_for_integration_, {}, 0, true};
   for (const auto& [name, entry] : catalogue_.all())
     if (entry.declaration.advance != Advance::never)
       follow(entry.declaration.rate, "the time integration", integration);
-  if (!velocity_.empty()) follow(velocity_, "the time integration", integration);
-  if (!shift_.empty()) follow(shift_, "the time integration", integration);
+  for (const std::string& field : {transport_.velocity, transport_.shift})
+    if (!field.empty()) follow(field, "the time integration", integration);
 
   derived_for_reader_.resize(readers_.size());
   for (std::size_t n = 0; n < readers_.size(); ++n) {
@@ -70,6 +66,23 @@ StepGraph::StepGraph(const Catalogue& catalogue, const std::vector<Member>& memb
     for (const std::string& field : readers_[n].fields) follow(field, readers_[n].name, need);
   }
   for (const Phase phase : {Phase::begin, Phase::rates, Phase::end}) order_phase(phase);
+}
+
+// What changes because particles do not go exactly with the fluid.
+void StepGraph::add_advection() {
+  if (transport_.fixed ||
+      std::none_of(works_.begin(), works_.end(),
+                   [&](const Work& work) { return makes(work, transport_.shift) && !work.pass.adds_nothing; }))
+    transport_.shift.clear();
+  if (!transport_.advects()) return;
+  for (const auto& [name, entry] : catalogue_.all()) {
+    if (entry.declaration.advance == Advance::never) continue;
+    Work work;
+    work.owner = "framework";
+    work.pass = advection_pass(entry.declaration, transport_);
+    work.for_observer.assign(readers_.size(), false);
+    works_.push_back(std::move(work));
+  }
 }
 
 bool StepGraph::makes(const Work& work, const std::string& field) const {

@@ -43,15 +43,15 @@ class MESOGEN_EXPORT StepGraph {
   /// Derived fields that the integration needs; those of reader n.
   [[nodiscard]] const std::set<std::string>& derived_for_integration() const { return derived_for_integration_; }
   [[nodiscard]] const std::set<std::string>& derived_for_reader(std::size_t n) const { return derived_for_reader_[n]; }
-  [[nodiscard]] const std::string& velocity() const { return velocity_; }
-  /// Field that moves particles beside their velocity; empty if nobody adds to it.
-  [[nodiscard]] const std::string& shift() const { return shift_; }
+  /// How particles go with the flow; its shift is empty if nobody adds to it.
+  [[nodiscard]] const Transport& transport() const { return transport_; }
 
   [[nodiscard]] std::string text() const;
   [[nodiscard]] std::string graphviz() const;
 
  private:
   struct Need;
+  void add_advection();
   void check_fields() const;
   void check_writers() const;
   void follow(const std::string& field, const std::string& wanted_by, Need& need);
@@ -65,8 +65,7 @@ class MESOGEN_EXPORT StepGraph {
   std::array<std::vector<std::size_t>, 3> order_;
   std::set<std::string> derived_for_integration_;
   std::vector<std::set<std::string>> derived_for_reader_;
-  std::string velocity_;
-  std::string shift_;
+  Transport transport_;
 };
 
 }  // namespace mesogen

@@ -17,6 +17,13 @@ Field& World::add_field(const std::string& name, int components, bool integrated
   return field;
 }
 
+Field& World::add_copy_in_double(const Field& of) {
+  Field& field = fields.add(std::make_unique<Field>(of.name() + " at the start of the step", of.components(),
+                                                    Precision::double_precision, true));
+  field.resize(particles.count(), neighbourhood.outside_count());
+  return field;
+}
+
 void World::resize_fields() {
   for (const auto& [name, field] : fields.all()) field->resize(particles.count(), neighbourhood.outside_count());
 }

@@ -33,6 +33,8 @@ class MESOGEN_EXPORT World {
   [[nodiscard]] bool single() const { return scene.precision == Precision::single_precision; }
 
   Field& add_field(const std::string& name, int components, bool integrated);
+  /// Room for the doubles of an integrated field at another time; kept in order as all fields are.
+  Field& add_copy_in_double(const Field& of);
   /// To be called whenever positions changed.
   void mark_moved() { moved_ = true; }
   /// Brings neighbours up to date with the positions: sorts, if need be, and every field into the new order.

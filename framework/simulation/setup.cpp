@@ -41,6 +41,7 @@ class SetupBuilder {
   void collect_fields();
   void choose_output();
   void plan_observers();
+  void refuse_traces();
 
   Setup& setup_;
   const Case& source_;
@@ -243,6 +244,21 @@ void SetupBuilder::plan_observers() {
     });
 }
 
+// Particles that stay carry nothing: what marks or follows them would show a fluid at rest.
+void SetupBuilder::refuse_traces() {
+  const auto flow = std::find_if(setup_.physics.begin(), setup_.physics.end(),
+                                 [](const auto& member) { return member.passes.transport().fixed; });
+  if (flow == setup_.physics.end()) return;
+  const std::string why = "in the Eulerian motion of '" + flow->instance + "' particles stay where they are, so ";
+  if (source_.colour.given)
+    problems_.add(source_.place("colour"), "colour",
+                  why + "a colour would not move; remove it, or take motion = \"lagrangian\"");
+  for (std::size_t n = 0; n < setup_.observers.size(); ++n)
+    if (setup_.observers[n].plan.traces())
+      problems_.add(source_.observers[n].section.place(), source_.observers[n].section.path(),
+                    why + "this observer would see nothing move; remove it, or take motion = \"lagrangian\"");
+}
+
 void SetupBuilder::put_together() {
   // Fields depend on which plugins there are, the rest on sound parameters too.
   const bool all_made =
@@ -254,6 +270,7 @@ void SetupBuilder::put_together() {
   choose_output();
   if (!sound) return;
   plan_observers();
+  refuse_traces();
   if (!problems_.empty()) return;
   if (additions_.readers) additions_.readers(setup_);
   std::vector<StepGraph::Member> members;

@@ -24,6 +24,10 @@ Particles initial_particles(const Arrangement& arrangement, int dimension) {
   return particles;
 }
 
+TimeScheme time_scheme(const std::string& name) {
+  return name == "midpoint" ? TimeScheme::midpoint : TimeScheme::half_steps;
+}
+
 }  // namespace
 
 Stepper::Stepper(Setup& setup)
@@ -41,7 +45,7 @@ Stepper::Stepper(Setup& setup)
                                   DerivedFields::Form{.consistent_laplacian = setup.source.laplacian == "consistent",
                                                       .particles_move = !setup.graph->velocity().empty()}))),
       executor_(world_, *setup.graph, *derived_),
-      integrator_(world_, setup.catalogue, setup.graph->velocity(), setup.graph->shift()),
+      integrator_(world_, setup.catalogue, setup.graph->transport(), time_scheme(setup.source.time.scheme)),
       control_(setup.scene, setup.limits, setup.source.time.step, setup.source.time.factor),
       guard_(world_, setup.catalogue, *setup.graph, integrator_, control_) {
   set_initial_fields();

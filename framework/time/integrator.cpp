@@ -37,21 +37,25 @@ double largest_length(Field* field, Index count) {
 
 }  // namespace
 
-Integrator::Integrator(World& world, const Catalogue& catalogue, const std::string& velocity, const std::string& shift)
-    : world_(world) {
+Integrator::Integrator(World& world, const Catalogue& catalogue, const Transport& transport, TimeScheme scheme)
+    : world_(world), scheme_(scheme), fixed_(transport.fixed) {
   for (const auto& [name, entry] : catalogue.all()) {
     if (entry.declaration.advance == Advance::never) continue;
-    advanced_.push_back({&world.fields.at(name), &world.fields.at(entry.declaration.rate),
-                         entry.declaration.advance == Advance::predicted});
-    if (name == velocity) acceleration_ = advanced_.back().rate;
+    Field& field = world.fields.at(name);
+    Advanced one{&field, &world.fields.at(entry.declaration.rate), entry.declaration.advance == Advance::predicted,
+                 nullptr};
+    if (one.predicted && scheme == TimeScheme::midpoint) one.start = &world.add_copy_in_double(field);
+    advanced_.push_back(one);
+    if (name == transport.velocity) acceleration_ = one.rate;
   }
-  if (!velocity.empty()) velocity_ = &world.fields.at(velocity);
-  if (!shift.empty()) shift_ = &world.fields.at(shift);
+  if (!transport.velocity.empty()) velocity_ = &world.fields.at(transport.velocity);
+  if (!transport.shift.empty()) shift_ = &world.fields.at(transport.shift);
 }
 
 template <class Real, int Components>
-Integrator::Largest Integrator::advance(const Advanced& one, double by) {
+Integrator::Largest Integrator::advance(const Advanced& one, Field& from, double by) {
   const Index count = world_.particles.count();
+  const FieldView<double> before = from.master();
   const FieldView<double> exact = one.field->master();
   const FieldView<Real> rounded = one.field->view<Real>();
   const FieldView<Real> rate = one.rate->view<Real>();
@@ -63,7 +67,7 @@ Integrator::Largest Integrator::advance(const Advanced& one, double by) {
     double rate_square = 0.0;
     for (int c = 0; c < Components; ++c) {
       const auto slope = static_cast<double>(rate(c, i));
-      const double value = exact(c, i) + by * slope;
+      const double value = before(c, i) + by * slope;
       exact(c, i) = value;
       rounded(c, i) = static_cast<Real>(value);
       value_square += value * value;
@@ -78,20 +82,20 @@ Integrator::Largest Integrator::advance(const Advanced& one, double by) {
 }
 
 template <class Real>
-Integrator::Largest Integrator::advance(const Advanced& one, double by) {
+Integrator::Largest Integrator::advance(const Advanced& one, Field& from, double by) {
   switch (one.field->components()) {
-    case 1: return advance<Real, 1>(one, by);
-    case 2: return advance<Real, 2>(one, by);
-    case 3: return advance<Real, 3>(one, by);
-    case 4: return advance<Real, 4>(one, by);
-    case 5: return advance<Real, 5>(one, by);
-    case 9: return advance<Real, 9>(one, by);
+    case 1: return advance<Real, 1>(one, from, by);
+    case 2: return advance<Real, 2>(one, from, by);
+    case 3: return advance<Real, 3>(one, from, by);
+    case 4: return advance<Real, 4>(one, from, by);
+    case 5: return advance<Real, 5>(one, from, by);
+    case 9: return advance<Real, 9>(one, from, by);
     default: throw std::logic_error("'" + one.field->name() + "' has a number of components that no rank has");
   }
 }
 
-Integrator::Largest Integrator::advance(const Advanced& one, double by) {
-  return world_.single() ? advance<float>(one, by) : advance<double>(one, by);
+Integrator::Largest Integrator::advance(const Advanced& one, Field& from, double by) {
+  return world_.single() ? advance<float>(one, from, by) : advance<double>(one, from, by);
 }
 
 template <class Real>
@@ -114,27 +118,33 @@ bool Integrator::move(double by, double shift_by) {
 }
 
 bool Integrator::move(double by, double shift_by) {
-  if (velocity_ == nullptr) return true;
+  if (velocity_ == nullptr || fixed_) return true;
   world_.mark_moved();
   return world_.single() ? move<float>(by, shift_by) : move<double>(by, shift_by);
 }
 
 void Integrator::predict(double step_size) {
-  for (const Advanced& one : advanced_)
-    if (one.predicted) advance(one, step_size / 2.0);
+  for (const Advanced& one : advanced_) {
+    if (!one.predicted) continue;
+    if (one.start != nullptr) one.start->copy_master(*one.field);
+    advance(one, *one.field, step_size / 2.0);
+  }
   move(step_size / 2.0, 0.0);
 }
 
 Motion Integrator::correct(double step_size) {
   Motion motion;
+  const bool midpoint = scheme_ == TimeScheme::midpoint;
+  if (midpoint) motion.finite = move(step_size / 2.0, step_size);
   for (const Advanced& one : advanced_) {
-    const Largest largest = advance(one, one.predicted ? step_size / 2.0 : step_size);
+    Field& from = one.start != nullptr ? *one.start : *one.field;
+    const Largest largest = advance(one, from, one.predicted && !midpoint ? step_size / 2.0 : step_size);
     motion.finite = motion.finite && std::isfinite(largest.value) && std::isfinite(largest.rate);
     if (one.field != velocity_) continue;
     motion.fastest = largest.value;
     motion.largest_acceleration = largest.rate;
   }
-  if (motion.finite) motion.finite = move(step_size / 2.0, step_size);
+  if (motion.finite && !midpoint) motion.finite = move(step_size / 2.0, step_size);
   return motion;
 }
 

@@ -41,6 +41,7 @@ class Mixing final : public Observer {
                   "mixing: `cells` must be an even number, so that the edges of the initial quarter "
                   "are edges of cells, but is " +
                       std::to_string(*cells_));
+    plan.traces_particles();
     plan.reads_if_present("colour");
     plan.scalar("mixing_index").doc("0: colours apart, as at the start; 1: mixed (Lacey's index)");
     double shortest = scene.box[0];

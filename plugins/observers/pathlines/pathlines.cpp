@@ -77,6 +77,7 @@ class Pathlines final : public Observer {
   void plan(const Scene& scene, ObserverPlan& plan) override {
     check(scene);
     plan.follow_every_step();
+    plan.traces_particles();
     plan.table("path", static_cast<std::size_t>(scene.dimension))
         .unit("m")
         .doc("a row a particle: where it is, without jumps at the faces of the box");

@@ -6,8 +6,10 @@
 
 #include <cmath>
 
+#include "mesogen/diagnostics/error.hpp"
 #include "mesogen/plugin/physics.hpp"
 #include "mesogen/plugin/plugin.hpp"
+#include "mesogen/sph/pair_sum.hpp"
 
 namespace {
 
@@ -27,6 +29,34 @@ struct ActiveAcceleration {
   }
 };
 
+/// The same with opposite forces on two particles: -zeta / m sum_j V_i V_j (Q_i + Q_j) . grad W_ij. No momentum is
+/// made, but the sum is exact for uniform Q only where particles are evenly spread.
+template <class Real, int Dim>
+struct ActivePairs {
+  static constexpr int sum_count = Dim;
+  FieldView<const Real> order_tensor, volume;
+  FieldView<Real> acceleration;
+  Real activity_per_mass;
+
+  struct Own {
+    Real q[2];
+  };
+  MESOGEN_HOST_DEVICE Own load(Index i) const { return {{order_tensor(0, i), order_tensor(1, i)}}; }
+
+  template <class Pair, class Lane>
+  [[gnu::always_inline]] MESOGEN_HOST_DEVICE void pair(const Own& own, const Pair& p, Lane* sum) const {
+    const Lane g = p.load(volume) * p.gradient();
+    const Lane q11 = p.load(order_tensor, 0) + Lane(own.q[0]);
+    const Lane q12 = p.load(order_tensor, 1) + Lane(own.q[1]);
+    sum[0] = sum[0] + g * (q11 * p.separation[0] + q12 * p.separation[1]);
+    sum[1] = sum[1] + g * (q12 * p.separation[0] - q11 * p.separation[1]);
+  }
+
+  MESOGEN_HOST_DEVICE void finish(Index i, const Own&, const Real* sum) const {
+    for (int d = 0; d < Dim; ++d) acceleration(d, i) -= activity_per_mass * volume(i) * sum[d];
+  }
+};
+
 template <class Real, int Dim>
 class ActiveStress final : public Physics {
   static_assert(Dim == 2, "the components here are those of two dimensions");
@@ -37,12 +67,24 @@ class ActiveStress final : public Physics {
         .unit("Pa")
         .required()
         .doc("zeta: above 0 extensile (pushers), below 0 contractile (pullers)");
+    list.text("form", form_)
+        .choices({"corrected", "conservative"})
+        .doc("divergence exact for linear Q, or with opposite forces on two particles: no momentum drift");
   }
 
   void scales(Scales& scales) const override { scales.stress = std::max(scales.stress, std::abs(activity_)); }
   void constants(Constants& constants) const override { constants["activity"] = activity_; }
 
+  void prepare(const Scene& scene) override {
+    const auto density = scene.constants.find("density");
+    if (form_ == "conservative" && density == scene.constants.end())
+      throw Error(ExitCode::bad_case,
+                  "form = \"conservative\" needs the density of a flow, such as physics.flow with type = \"wcsph\"");
+    if (form_ == "conservative") mass_ = density->second * std::pow(scene.spacing, Dim);
+  }
+
   void passes(PassList& list) override {
+    if (form_ == "conservative") return in_pairs(list);
     list.pass("active stress")
         .reads({"order_tensor_gradient", "density"})
         .accumulates({"acceleration"})
@@ -56,7 +98,23 @@ class ActiveStress final : public Physics {
   }
 
  private:
+  void in_pairs(PassList& list) {
+    list.pass("active stress")
+        .reads_neighbours({"order_tensor", "volume"})
+        .accumulates({"acceleration"})
+        .run([this](const PassContext& context) {
+          ActivePairs<Real, Dim> sums{};
+          sums.order_tensor = context.read<Real>("order_tensor");
+          sums.volume = context.read<Real>("volume");
+          sums.acceleration = context.write<Real>("acceleration");
+          sums.activity_per_mass = Real(activity_ / mass_);
+          sph::pair_sum(context.space(), context.neighbours<Real, Dim>(), context.kernel(), sums);
+        });
+  }
+
   double activity_ = 0.0;
+  double mass_ = 0.0;  // of a particle
+  std::string form_ = "corrected";
 };
 
 }  // namespace

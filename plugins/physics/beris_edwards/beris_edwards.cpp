@@ -112,7 +112,7 @@ class BerisEdwards final : public Physics {
   void passes(PassList& list) override {
     list.field("order_tensor", Rank::order_tensor)
         .doc("Q = q (2 n n - I), stored as (Q11, Q12) = q (cos 2 theta, sin 2 theta)")
-        .advanced_by("order_tensor_rate");
+        .predicted_by("order_tensor_rate");
     list.field("order_tensor_rate", Rank::order_tensor).unit("1/s").doc("DQ/Dt");
     list.field("molecular_field", Rank::order_tensor).unit("Pa").doc("H = -A Q - C Q Tr(Q^2) + K lap Q");
     list.pass("molecular field")

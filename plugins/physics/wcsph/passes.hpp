@@ -9,16 +9,19 @@
 namespace mesogen::wcsph {
 
 /// Continuity: dc/dt = -(1 + c) div u, with the corrected gradient; c at the midpoint of the step is c + dt/2 dc/dt.
+/// With diffusion (Molteni and Colagrossi 2009): dc/dt gains D lap c, D = delta h c0.
 template <class Real, int Dim>
 struct Continuity {
   FieldView<const Real> compression, velocity_gradient;
+  FieldView<const Real> laplacian;  // of the compression; empty: no diffusion
   FieldView<Real> rate, midpoint, density;
-  Real half_step, reference_density;
+  Real half_step, reference_density, diffusivity;
 
   MESOGEN_HOST_DEVICE void operator()(Index i) const {
     Real divergence = Real(0);
     for (int d = 0; d < Dim; ++d) divergence += velocity_gradient(d * Dim + d, i);
-    const Real change = -(Real(1) + compression(i)) * divergence;
+    Real change = -(Real(1) + compression(i)) * divergence;
+    if (laplacian) change += diffusivity * laplacian(i);
     rate(i) += change;
     midpoint(i) = compression(i) + half_step * change;
     density(i) = reference_density * (Real(1) + midpoint(i));
@@ -29,15 +32,19 @@ struct Continuity {
 ///
 /// Filter (Shepard; Ozbulut et al. 2020): c - beta sum_j (c_i - c_j) W_ij / sum_j W_ij.
 /// Shift (artificial particle displacement; Shadloo et al. 2011, Ozbulut et al. 2017), as a velocity:
-///   sum_j r_ij / r_ij^3 r0^2 u_v,   u_v = |sum_j (u_i - u_j) W_ij| / sum_j W_ij,   r0 = mean distance of neighbours.
-template <class Real, int Dim>
+///   sum_j r_ij / r_ij^3 r0^2 s,   r0 = mean distance of neighbours,
+/// where the speed s is as published |sum_j (u_i - u_j) W_ij| / sum_j W_ij, or, with `ByStrain`, h |grad u|: particles
+/// are drawn out most along the lines toward stagnation points, and there the published one vanishes.
+template <class Real, int Dim, bool ByStrain>
 struct FilterAndShift {
-  static constexpr int sum_count = 4 + 2 * Dim;
-  enum Sum { weight, weighted_compression, neighbours, distances, weighted_velocity, push = weighted_velocity + Dim };
+  static constexpr int sum_count = 4 + (ByStrain ? 1 : 2) * Dim;
+  enum Sum { weight, weighted_compression, neighbours, distances, push, weighted_velocity = push + Dim };
 
-  FieldView<const Real> compression, velocity;
-  FieldView<Real> filtered;  // empty: no filter
-  FieldView<Real> shift;     // empty: no shift
+  FieldView<const Real> compression;
+  FieldView<const Real> velocity;           // empty with ByStrain
+  FieldView<const Real> velocity_gradient;  // empty without
+  FieldView<Real> filtered;                 // empty: no filter
+  FieldView<Real> shift;                    // empty: no shift
   Real beta, shift_strength;
   Real smoothing_length;  // distances are taken in it: 1 / r^3 of the particle itself must not overflow
 
@@ -47,7 +54,8 @@ struct FilterAndShift {
   };
   MESOGEN_HOST_DEVICE Own load(Index i) const {
     Own own{compression(i), {}};
-    for (int d = 0; d < Dim; ++d) own.velocity[d] = velocity(d, i);
+    if constexpr (!ByStrain)
+      for (int d = 0; d < Dim; ++d) own.velocity[d] = velocity(d, i);
     return own;
   }
 
@@ -61,8 +69,9 @@ struct FilterAndShift {
     sum[distances] = sum[distances] + p.inside(p.distance);
     const Lane cube = inverse * inverse * inverse;
     exec::unroll<Dim>([&](auto d) {
-      sum[weighted_velocity + d] = sum[weighted_velocity + d] + w * (Lane(own.velocity[d]) - p.load(velocity, d));
       sum[push + d] = sum[push + d] + cube * p.separation[d];
+      if constexpr (!ByStrain)
+        sum[weighted_velocity + d] = sum[weighted_velocity + d] + w * (Lane(own.velocity[d]) - p.load(velocity, d));
     });
   }
 
@@ -70,14 +79,20 @@ struct FilterAndShift {
     const Real per_weight = Real(1) / sum[weight];
     if (filtered) filtered(i) = own.compression + beta * sum[weighted_compression] * per_weight;
     if (!shift) return;
-    Real spread = Real(0);
-    for (int d = 0; d < Dim; ++d) spread += sum[weighted_velocity + d] * sum[weighted_velocity + d];
-    spread = exec::square_root(spread) * per_weight;
+    Real square = Real(0);
+    Real speed;
+    if constexpr (ByStrain) {
+      for (int c = 0; c < Dim * Dim; ++c) square += velocity_gradient(c, i) * velocity_gradient(c, i);
+      speed = smoothing_length * exec::square_root(square);
+    } else {
+      for (int d = 0; d < Dim; ++d) square += sum[weighted_velocity + d] * sum[weighted_velocity + d];
+      speed = exec::square_root(square) * per_weight;
+    }
     // The particle itself was counted, at distance zero.
     const Real others = sum[neighbours] - Real(1);
     const Real mean_distance = others > Real(0) ? sum[distances] / others : Real(0);
     const Real relative = mean_distance / smoothing_length;
-    const Real scale = shift_strength * relative * relative * spread / smoothing_length;
+    const Real scale = shift_strength * relative * relative * speed / smoothing_length;
     for (int d = 0; d < Dim; ++d) shift(d, i) += scale * sum[push + d];
   }
 };
@@ -100,16 +115,20 @@ struct EquationOfState {
   }
 };
 
-/// Acceleration by pressure, -rho_i sum_j V_j (p_i / rho_i^2 + p_j / rho_j^2) B_i grad W_ij, and by viscosity:
-/// mu/rho lap u (component-wise), or with `Radial` (Monaghan & Gingold 1983)
-/// 8 mu/rho sum_j V_j (u_ij . r_ij) / r_ij^2 B_i grad W_ij.
-template <class Real, int Dim, bool Radial>
+/// Acceleration by pressure and viscosity.
+///
+/// Pressure: -rho_i sum_j V_j (p_i / rho_i^2 + p_j / rho_j^2) B_i grad W_ij, exact for linear p where B is the
+/// correction; `Conservative`: -sum_j m (p_i / rho_i^2 + p_j / rho_j^2) grad W_ij, which gives two particles opposite
+/// forces. Viscosity: mu/rho lap u (component-wise), or with `Radial` (Monaghan & Gingold 1983) 8 mu/rho sum_j V_j
+/// (u_ij . r_ij) / r_ij^2 B_i grad W_ij.
+template <class Real, int Dim, bool Radial, bool Conservative>
 struct Momentum {
   static constexpr int sum_count = Radial ? 2 * Dim : Dim;
   FieldView<const Real> volume, pressure_term, density, correction, velocity;
   FieldView<const Real> velocity_laplacian;  // empty with Radial
   FieldView<Real> acceleration;
   Real viscosity;
+  Real mass;  // of a particle
 
   struct Own {
     Real pressure_term;
@@ -124,8 +143,9 @@ struct Momentum {
 
   template <class Pair, class Lane>
   [[gnu::always_inline]] MESOGEN_HOST_DEVICE void pair(const Own& own, const Pair& p, Lane* sum) const {
-    const Lane g = p.load(volume) * p.gradient();
-    const Lane push = g * (p.load(pressure_term) + Lane(own.pressure_term));
+    const Lane slope = p.gradient();
+    const Lane g = p.load(volume) * slope;
+    const Lane push = (Conservative ? slope : g) * (p.load(pressure_term) + Lane(own.pressure_term));
     exec::unroll<Dim>([&](auto d) { sum[d] = sum[d] + push * p.separation[d]; });
     if constexpr (Radial) {
       Lane approach(Real(0));
@@ -138,14 +158,16 @@ struct Momentum {
 
   MESOGEN_HOST_DEVICE void finish(Index i, const Own&, const Real* sum) const {
     const Real rho = density(i);
-    Real force[Dim];
+    Real corrected[Dim] = {};  // what the correction is to be applied to
     for (int d = 0; d < Dim; ++d) {
-      force[d] = -rho * sum[d];
-      if constexpr (Radial) force[d] += Real(8) * viscosity / rho * sum[Dim + d];
+      if constexpr (!Conservative) corrected[d] -= rho * sum[d];
+      if constexpr (Radial) corrected[d] += Real(8) * viscosity / rho * sum[Dim + d];
     }
     for (int a = 0; a < Dim; ++a) {
       Real total = Real(0);
-      for (int b = 0; b < Dim; ++b) total += correction(a * Dim + b, i) * force[b];
+      if constexpr (Radial || !Conservative)
+        for (int b = 0; b < Dim; ++b) total += correction(a * Dim + b, i) * corrected[b];
+      if constexpr (Conservative) total -= mass * sum[a];
       if constexpr (!Radial) total += viscosity / rho * velocity_laplacian(a, i);
       acceleration(a, i) += total;
     }

@@ -40,6 +40,16 @@ class Wcsph final : public Physics {
         .above(0)
         .at_most(0.1)
         .doc("delta: relative density variation that c0 is chosen for");
+    list.text("pressure_form", pressure_form_)
+        .choices({"corrected", "conservative"})
+        .doc(
+            "pressure gradient exact for linear pressures, or with opposite forces on two particles: no momentum "
+            "drift");
+    list.number("density_diffusion", diffusion_)
+        .unit("1")
+        .at_least(0)
+        .at_most(0.5)
+        .doc("delta of the density diffusion delta h c0 lap rho (delta-SPH), 0.1 where it is used; 0: none");
     list.number("density_filter", filter_)
         .unit("1")
         .at_least(0)
@@ -52,6 +62,16 @@ class Wcsph final : public Physics {
         .at_least(0)
         .at_most(10)
         .doc("strength of the artificial particle displacement that keeps particles evenly spread; 0: none");
+    list.text("shift_speed", shift_speed_)
+        .choices({"spread", "strain"})
+        .doc("speed that the shift scales with: spread of the velocities of neighbours, as published, or h |grad u|");
+    list.flag("shift_carries_fields", shift_carries_fields_)
+        .doc("fields are re-evaluated where the shift takes a particle (ALE): f changes by shift . grad f");
+    list.text("motion", motion_)
+        .choices({"lagrangian", "eulerian"})
+        .doc(
+            "particles go with the flow; or stay, and fields change by -u . grad f: neighbours are found once, and "
+            "nothing needs a shift");
   }
 
   void scales(Scales& scales) const override {
@@ -78,20 +98,19 @@ class Wcsph final : public Physics {
 
   void passes(PassList& list) override {
     fields(list);
-    list.moves_particles("velocity", "shift_velocity");
-    list.pass("continuity")
-        .reads({"compression", "velocity_gradient"})
-        .accumulates({"compression_rate"})
-        .writes({"compression_midpoint", "density"})
-        .run([this](const PassContext& context) {
-          exec::for_each(context.space(), context.count(),
-                         wcsph::Continuity<Real, Dim>{
-                             context.read<Real>("compression"), context.read<Real>("velocity_gradient"),
-                             context.write<Real>("compression_rate"), context.write<Real>("compression_midpoint"),
-                             context.write<Real>("density"), Real(context.step_size() / 2.0), Real(density_)});
-        });
+    const bool fixed = motion_ == "eulerian";
+    list.flows({"velocity", "shift_velocity", shift_carries_fields_, fixed});
+    continuity(list);
     const bool filters = filter_ > 0.0;
-    if (filters || shift_ > 0.0) filter_and_shift(list, filters);
+    const bool shifts = shift_ > 0.0 && !fixed;
+    if (filters || shifts) {
+      // Without a shift the form that reads less.
+      if (shifts && shift_speed_ == "spread") {
+        filter_and_shift<false>(list, filters, shifts);
+      } else {
+        filter_and_shift<true>(list, filters, shifts);
+      }
+    }
     const std::string compression = filters ? "compression_filtered" : "compression_midpoint";
     list.pass("equation of state")
         .reads({compression})
@@ -102,10 +121,17 @@ class Wcsph final : public Physics {
                                                       context.write<Real>("pressure_term"), Real(density_ * c0_ * c0_),
                                                       Real(density_)});
         });
+    Pass& momentum = list.pass("pressure and viscosity");
     if (viscosity_form_ == "component") {
-      momentum<false>(list.pass("pressure and viscosity").reads({"velocity_laplacian"}));
+      momentum.reads({"velocity_laplacian"});
     } else {
-      momentum<true>(list.pass("pressure and viscosity").reads_neighbours({"velocity"}));
+      momentum.reads_neighbours({"velocity"});
+    }
+    const bool conservative = pressure_form_ == "conservative";
+    if (viscosity_form_ == "component") {
+      conservative ? this->momentum<false, true>(momentum) : this->momentum<false, false>(momentum);
+    } else {
+      conservative ? this->momentum<true, true>(momentum) : this->momentum<true, false>(momentum);
     }
     if (filters && feedback_) {
       list.pass("filter feedback")
@@ -149,15 +175,39 @@ class Wcsph final : public Physics {
     list.field("shift_velocity", Rank::vector).unit("m/s").doc("artificial displacement per time");
   }
 
-  void filter_and_shift(PassList& list, bool filters) {
-    Pass& pass = list.pass("density filter and shift").reads_neighbours({"compression_midpoint", "velocity"});
-    const bool shifts = shift_ > 0.0;
+  void continuity(PassList& list) {
+    const bool diffuses = diffusion_ > 0.0;
+    Pass& pass = list.pass("continuity").reads({"compression", "velocity_gradient"});
+    if (diffuses) pass.reads({"compression_laplacian"});
+    pass.accumulates({"compression_rate"})
+        .writes({"compression_midpoint", "density"})
+        .run([this, diffuses](const PassContext& context) {
+          wcsph::Continuity<Real, Dim> rate{};
+          rate.compression = context.read<Real>("compression");
+          rate.velocity_gradient = context.read<Real>("velocity_gradient");
+          if (diffuses) rate.laplacian = context.read<Real>("compression_laplacian");
+          rate.rate = context.write<Real>("compression_rate");
+          rate.midpoint = context.write<Real>("compression_midpoint");
+          rate.density = context.write<Real>("density");
+          rate.half_step = Real(context.step_size() / 2.0);
+          rate.reference_density = Real(density_);
+          rate.diffusivity = Real(diffusion_ * context.scene().smoothing_length * c0_);
+          exec::for_each(context.space(), context.count(), rate);
+        });
+  }
+
+  template <bool ByStrain>
+  void filter_and_shift(PassList& list, bool filters, bool shifts) {
+    Pass& pass = list.pass("density filter and shift").reads_neighbours({"compression_midpoint"});
+    if constexpr (!ByStrain) pass.reads_neighbours({"velocity"});
+    if (ByStrain && shifts) pass.reads({"velocity_gradient"});
     if (filters) pass.writes({"compression_filtered"});
     if (shifts) pass.accumulates({"shift_velocity"});
     pass.run([this, filters, shifts](const PassContext& context) {
-      wcsph::FilterAndShift<Real, Dim> sums{};
+      wcsph::FilterAndShift<Real, Dim, ByStrain> sums{};
       sums.compression = context.read<Real>("compression_midpoint");
-      sums.velocity = context.read<Real>("velocity");
+      if constexpr (!ByStrain) sums.velocity = context.read<Real>("velocity");
+      if (ByStrain && shifts) sums.velocity_gradient = context.read<Real>("velocity_gradient");
       if (filters) sums.filtered = context.write<Real>("compression_filtered");
       if (shifts) sums.shift = context.write<Real>("shift_velocity");
       sums.beta = Real(filter_);
@@ -167,13 +217,13 @@ class Wcsph final : public Physics {
     });
   }
 
-  template <bool Radial>
+  template <bool Radial, bool Conservative>
   void momentum(Pass& pass) {
     pass.reads({"density", "correction"})
         .reads_neighbours({"pressure_term", "volume"})
         .accumulates({"acceleration"})
         .run([this](const PassContext& context) {
-          wcsph::Momentum<Real, Dim, Radial> sums{};
+          wcsph::Momentum<Real, Dim, Radial, Conservative> sums{};
           sums.volume = context.read<Real>("volume");
           sums.pressure_term = context.read<Real>("pressure_term");
           sums.density = context.read<Real>("density");
@@ -185,6 +235,7 @@ class Wcsph final : public Physics {
           }
           sums.acceleration = context.write<Real>("acceleration");
           sums.viscosity = Real(viscosity_);
+          sums.mass = Real(density_ * std::pow(context.scene().spacing, Dim));
           sph::pair_sum(context.space(), context.neighbours<Real, Dim>(), context.kernel(), sums);
         });
   }
@@ -195,9 +246,14 @@ class Wcsph final : public Physics {
   std::optional<double> sound_speed_;
   std::optional<double> expected_speed_;
   double density_variation_ = 0.01;
+  std::string pressure_form_ = "corrected";
+  double diffusion_ = 0.0;
   double filter_ = 1.0;
   bool feedback_ = false;
   double shift_ = 1.0;
+  std::string shift_speed_ = "spread";
+  bool shift_carries_fields_ = false;
+  std::string motion_ = "lagrangian";
   double c0_ = 0.0;
   double automatic_sound_speed_ = 0.0;
 };

@@ -153,12 +153,12 @@ TEST(StepGraph, ShiftThatNobodyAddsToMovesNothing) {
     flow.field("u", Rank::vector).predicted_by("a");
     flow.field("a", Rank::vector);
     flow.field("s", Rank::vector);
-    flow.moves_particles("u", "s");
+    flow.flows({"u", "s"});
     flow.pass("momentum").accumulates({"a"});
     if (shifts) flow.pass("shift").accumulates({"s"});
     const StepGraph graph = all.graph();
-    EXPECT_EQ(graph.velocity(), "u");
-    EXPECT_EQ(graph.shift(), shifts ? "s" : "");
+    EXPECT_EQ(graph.transport().velocity, "u");
+    EXPECT_EQ(graph.transport().shift, shifts ? "s" : "");
   }
 }
 

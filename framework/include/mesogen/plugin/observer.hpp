@@ -44,17 +44,21 @@ class MESOGEN_EXPORT ObserverPlan {
   Quantity& table(std::string_view name, std::size_t columns);
   /// Ask for Observer::follow after every step.
   void follow_every_step();
+  /// What it records means something only where particles go with the fluid; a case in which they stay is refused.
+  void traces_particles() { traces_ = true; }
 
   [[nodiscard]] const std::vector<std::string>& read_list() const { return reads_; }
   [[nodiscard]] const std::vector<std::string>& optional_list() const { return optional_; }
   [[nodiscard]] const std::deque<Quantity>& quantities() const { return quantities_; }
   [[nodiscard]] bool follows() const { return follows_; }
+  [[nodiscard]] bool traces() const { return traces_; }
 
  private:
   std::vector<std::string> reads_;
   std::vector<std::string> optional_;
   std::deque<Quantity> quantities_;
   bool follows_ = false;
+  bool traces_ = false;
 };
 
 /// One sample: values by quantity name.

@@ -15,6 +15,21 @@ namespace mesogen {
 
 class PassContext;
 
+/// How particles, and the fields that are advanced on them, go with a flow.
+struct Transport {
+  std::string velocity;  ///< of the fluid, m/s; empty: nothing flows
+  std::string shift;     ///< what moves particles beside it, m/s, if any pass adds to it; may be empty
+  /// The shift takes a particle into other fluid: every advanced field f changes by + shift . grad f too (arbitrary
+  /// Lagrangian-Eulerian). Without it, particles keep what they carry, an error of first order in the shift.
+  bool carries_fields = false;
+  /// Particles stay where they are, and every advanced field f changes by - velocity . grad f (Eulerian).
+  bool fixed = false;
+
+  /// The velocity of particles relative to the fluid: + shift, - velocity, or none.
+  [[nodiscard]] const std::string& relative() const { return fixed ? velocity : shift; }
+  [[nodiscard]] bool advects() const { return fixed || (carries_fields && !shift.empty()); }
+};
+
 /// When in a step a pass runs.
 enum class Phase {
   begin,  ///< after the half step that predicts the midpoint
@@ -26,8 +41,8 @@ enum class Phase {
 enum class Advance {
   never,     ///< only passes write it
   midpoint,  ///< f += dt * rate, the rate taken at the midpoint
-  /// first by dt/2 with the previous rate, then by dt/2 with the rate at the midpoint (velocity). Second order in time,
-  /// but for rates that depend on the field itself first: give such a force a step_limits()
+  /// the same, but at the midpoint passes see it half a step ahead by the previous rate: for fields whose rate depends
+  /// on themselves (velocity, order tensor). See TimeScheme
   predicted,
 };
 
@@ -98,19 +113,17 @@ class MESOGEN_EXPORT PassList {
  public:
   FieldDeclaration& field(std::string_view name, Rank rank);
   Pass& pass(std::string_view name, Phase phase = Phase::rates);
-  /// Particles move with this field (r += dt * velocity) and, beside it, with `shift` (m/s), if any pass adds to that.
-  void moves_particles(std::string_view velocity, std::string_view shift = "");
+  /// There is a flow, and this is how particles go with it. One plugin of a case says so.
+  void flows(Transport transport) { transport_ = std::move(transport); }
 
   [[nodiscard]] const std::deque<FieldDeclaration>& fields() const { return fields_; }
   [[nodiscard]] const std::deque<Pass>& passes() const { return passes_; }
-  [[nodiscard]] const std::string& velocity() const { return velocity_; }
-  [[nodiscard]] const std::string& shift() const { return shift_; }
+  [[nodiscard]] const Transport& transport() const { return transport_; }
 
  private:
   std::deque<FieldDeclaration> fields_;
   std::deque<Pass> passes_;
-  std::string velocity_;
-  std::string shift_;
+  Transport transport_;
 };
 
 }  // namespace mesogen
