@@ -73,7 +73,7 @@ struct MESOGEN_EXPORT Case {
     double end = 0.0;            ///< s
     std::optional<double> step;  ///< s; none: chosen automatically
     double factor = 1.0;         ///< automatic step in multiples of its stability limit
-    std::string scheme = "half_steps";  ///< see TimeScheme
+    std::string scheme = "midpoint";  ///< see TimeScheme
   };
   struct Output {
     double interval = 0.0;              ///< s of simulated time; by default the end of the run

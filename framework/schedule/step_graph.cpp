@@ -76,7 +76,9 @@ void StepGraph::add_advection() {
     transport_.shift.clear();
   if (!transport_.advects()) return;
   for (const auto& [name, entry] : catalogue_.all()) {
-    if (entry.declaration.advance == Advance::never) continue;
+    // A shift carries no density: continuity and the filter keep that even, and its gradient would cost a pass.
+    const Advance advance = entry.declaration.advance;
+    if (advance == Advance::never || (advance != Advance::predicted && !transport_.fixed)) continue;
     Work work;
     work.owner = "framework";
     work.pass = advection_pass(entry.declaration, transport_);

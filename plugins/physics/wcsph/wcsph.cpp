@@ -61,7 +61,9 @@ class Wcsph final : public Physics {
         .unit("1")
         .at_least(0)
         .at_most(10)
-        .doc("strength of the artificial particle displacement that keeps particles evenly spread; 0: none");
+        .doc(
+            "strength of the artificial particle displacement that keeps particles evenly spread, 1 with shift_speed = "
+            "\"spread\"; 0: none");
     list.text("shift_speed", shift_speed_)
         .choices({"spread", "strain"})
         .doc("speed that the shift scales with: spread of the velocities of neighbours, as published, or h |grad u|");
@@ -163,9 +165,8 @@ class Wcsph final : public Physics {
         .advanced_by("compression_rate")
         .stays_within(
             -0.3, 0.3,
-            "Leave shift at 1 and take a smaller step (time.factor = 0.5), which damps sound that grows; if the flow "
-            "is "
-            "faster than a tenth of the sound, raise sound_speed (or expected_speed, where that is \"auto\")");
+            "Leave the shift on and take a smaller step (time.factor = 0.5); if the flow is faster than a tenth of the "
+            "sound, raise sound_speed (or expected_speed, where that is \"auto\")");
     list.field("compression_rate", Rank::scalar).unit("1/s").doc("D(rho / rho0)/Dt");
     list.field("compression_midpoint", Rank::scalar).doc("rho / rho0 - 1 at the midpoint of the step");
     list.field("compression_filtered", Rank::scalar).doc("the same after the density filter");
@@ -250,9 +251,9 @@ class Wcsph final : public Physics {
   double diffusion_ = 0.0;
   double filter_ = 1.0;
   bool feedback_ = false;
-  double shift_ = 1.0;
-  std::string shift_speed_ = "spread";
-  bool shift_carries_fields_ = false;
+  double shift_ = 0.5;
+  std::string shift_speed_ = "strain";
+  bool shift_carries_fields_ = true;
   std::string motion_ = "lagrangian";
   double c0_ = 0.0;
   double automatic_sound_speed_ = 0.0;

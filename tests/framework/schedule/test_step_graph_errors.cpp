@@ -50,9 +50,9 @@ TEST(StepGraphErrors, TwoFlowsAreRefused) {
   one.field("u", Rank::vector).predicted_by("a");
   one.field("a", Rank::vector);
   one.pass("force").accumulates({"a"});
-  one.flows({"u"});
+  one.flows({"u", ""});
   PassList& two = all.plugin("physics.two");
-  two.flows({"u"});
+  two.flows({"u", ""});
   EXPECT_EQ(all.refusal(), "two physics plugins move the particles, the second is physics.two: a case has one flow");
 }
 
