@@ -94,7 +94,7 @@ struct MESOGEN_EXPORT Case {
   PluginChoice boundary;
   PluginChoice kernel;
   double smoothing_length_ratio = 4.0 / 3.0;  ///< h in particle spacings; key kernel.smoothing_length
-  std::string laplacian = "plain";            ///< or "consistent"; key kernel.laplacian
+  std::string laplacian = "consistent";       ///< or "plain"; key kernel.laplacian
   Director director;
   Velocity velocity;
   Colour colour;

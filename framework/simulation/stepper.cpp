@@ -24,6 +24,8 @@ Particles initial_particles(const Arrangement& arrangement, int dimension) {
   return particles;
 }
 
+bool moves(const Transport& flow) { return !flow.velocity.empty() && !flow.fixed; }
+
 TimeScheme time_scheme(const std::string& name) {
   return name == "midpoint" ? TimeScheme::midpoint : TimeScheme::half_steps;
 }
@@ -43,7 +45,7 @@ Stepper::Stepper(Setup& setup)
                                     return readers;
                                   }(),
                                   DerivedFields::Form{.consistent_laplacian = setup.source.laplacian == "consistent",
-                                                      .particles_move = !setup.graph->velocity().empty()}))),
+                                                      .particles_move = moves(setup.graph->transport())}))),
       executor_(world_, *setup.graph, *derived_),
       integrator_(world_, setup.catalogue, setup.graph->transport(), time_scheme(setup.source.time.scheme)),
       control_(setup.scene, setup.limits, setup.source.time.step, setup.source.time.factor),

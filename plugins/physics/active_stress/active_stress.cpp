@@ -102,6 +102,7 @@ class ActiveStress final : public Physics {
     list.pass("active stress")
         .reads_neighbours({"order_tensor", "volume"})
         .accumulates({"acceleration"})
+        .idle_if(activity_ == 0.0)
         .run([this](const PassContext& context) {
           ActivePairs<Real, Dim> sums{};
           sums.order_tensor = context.read<Real>("order_tensor");

@@ -120,13 +120,13 @@ TEST(StepGraph, FieldToWhichOnlyIdlePassesAddIsStillProvided) {
   one.field("u", Rank::vector).predicted_by("a");
   one.field("a", Rank::vector);
   one.field("s", Rank::vector);
-  one.moves_particles("u", "s");
+  one.flows({"u", "s"});
   one.pass("force").accumulates({"a"}).idle_if(true);
   one.pass("shift").accumulates({"s"}).idle_if(true);
   const StepGraph graph = all.graph();
   EXPECT_TRUE(titles(graph).empty());
-  EXPECT_EQ(graph.velocity(), "u");
-  EXPECT_EQ(graph.shift(), "");
+  EXPECT_EQ(graph.transport().velocity, "u");
+  EXPECT_EQ(graph.transport().shift, "");
 }
 
 TEST(StepGraph, OptionalReadsCountOnlyWhereTheSceneHasThem) {

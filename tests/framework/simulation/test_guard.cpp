@@ -115,9 +115,8 @@ TEST(Guard, BoundsOfAFieldAreThoseOfItsPlugin) {
           "the run broke down: 'compression' is " + std::string(value < 0 ? "-" : "") +
               "0\\.3[45][0-9]* at particle 123" + somewhere +
               R"(, outside -0\.3 to 0\.3, at t = 5e-06 s \(step 5, step size 1e-06 s\)\. )"
-              R"(Leave shift at 1 and take a smaller step \(time\.factor = 0\.5\), which damps sound that grows; )"
-              R"(if the flow is faster than a tenth of the sound, raise sound_speed \(or expected_speed, where that )"
-              R"(is "auto"\); )"
+              R"(Leave the shift on and take a smaller step \(time\.factor = 0\.5\); if the flow is faster than a )"
+              R"(tenth of the sound, raise sound_speed \(or expected_speed, where that is "auto"\); )"
               "the frames before are kept");
     }
   }
