@@ -6,6 +6,7 @@
 #include "mesogen/diagnostics/error.hpp"
 #include "simulation/closest_pair.hpp"
 #include "simulation/rounded_text.hpp"
+#include "sph/lattice.hpp"
 
 namespace mesogen {
 
@@ -91,21 +92,12 @@ bool is_outside(const World& world, Field& field, double lowest, double highest)
                         : is_outside<double>(field, world.particles.count(), lowest, highest);
 }
 
-/// 1 / sum_j W_ij on a square or cubic lattice of as many particles as the box holds, m^Dim. With a kernel that reaches
-/// few neighbours it is not quite the volume that a particle fills.
+// On a lattice of as many particles as the box holds.
 double volume_on_lattice(const World& world) {
   const int dimension = world.scene.dimension;
   double filled = 1.0 / static_cast<double>(world.scene.particle_count);
   for (int d = 0; d < dimension; ++d) filled *= world.scene.box[d];
-  const double spacing = std::pow(filled, 1.0 / dimension);
-  const double h = world.kernel.smoothing_length;
-  const int reach = static_cast<int>(world.kernel.radius() / spacing) + 1;
-  double sum = 0.0;
-  for (int x = -reach; x <= reach; ++x)
-    for (int y = -reach; y <= reach; ++y)
-      for (int z = dimension == 3 ? -reach : 0; z <= (dimension == 3 ? reach : 0); ++z)
-        sum += world.kernel.scale * world.kernel.shape.value(spacing / h * std::sqrt(x * x + y * y + z * z));
-  return 1.0 / sum;
+  return sph::volume_on_lattice(world.kernel, std::pow(filled, 1.0 / dimension), dimension);
 }
 
 }  // namespace

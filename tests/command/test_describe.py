@@ -107,7 +107,7 @@ class Schema(CommandTest):
     def test_keys_carry_unit_meaning_and_default(self):
         flow = self.schema["definitions"]["physics.wcsph"]["properties"]
         self.assertEqual(flow["viscosity"]["description"], "mu: dynamic viscosity, in Pa s")
-        self.assertEqual(flow["shift"]["default"], 0.5)
+        self.assertEqual(flow["shift"]["default"], 0.3)
         self.assertEqual(flow["type"]["description"][:24], "Weakly compressible flow")
         self.assertNotIn("default", self.schema["properties"]["output"]["properties"]["interval"])
 

@@ -129,9 +129,9 @@ TEST(BerisEdwards, LimitsTheStep) {
   const PhysicsUnderTest nematic(
       "beris_edwards", {{"rotational_diffusivity", 0.4}, {"flow_alignment", 0.7}, {"elastic_constant", 0.02}});
   Scene scene;
-  scene.smoothing_length = 0.2;
+  scene.diffusion_step = 0.005;
   const auto limits = nematic.limits(scene);
-  EXPECT_NEAR(limits.at("elasticity: 0.125 h^2 / (Gamma K)"), 0.125 * 0.04 / 0.008, 1e-12);
+  EXPECT_NEAR(limits.at("elasticity: stable diffusion by Gamma K"), 0.005 / 0.008, 1e-12);
   EXPECT_NEAR(limits.at("bulk relaxation: 0.25 / (Gamma (|A| + 6 C))"), 0.25 / (0.4 * 4.0), 1e-12);
 }
 

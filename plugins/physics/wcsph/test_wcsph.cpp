@@ -14,6 +14,7 @@ Scene box_of(double length, double smoothing_length) {
   Scene scene;
   scene.box = {length, length, 0.0};
   scene.smoothing_length = smoothing_length;
+  scene.diffusion_step = 0.125 * smoothing_length * smoothing_length;
   return scene;
 }
 
@@ -43,7 +44,7 @@ TEST(Wcsph, SoundSpeedIsTheLargestThatAnythingNeeds) {
 TEST(Wcsph, ViscosityLimitsTheStep) {
   const Scene scene = box_of(10.0, 0.5);
   const PhysicsUnderTest flow("wcsph", {{"density", 2.0}, {"viscosity", 0.1}}, scene);
-  EXPECT_DOUBLE_EQ(flow.limits(scene).at("viscosity: 0.125 h^2 rho / mu"), 0.125 * 0.25 * 2.0 / 0.1);
+  EXPECT_DOUBLE_EQ(flow.limits(scene).at("viscosity: stable diffusion by mu / rho"), 0.125 * 0.25 * 2.0 / 0.1);
 }
 
 TEST(Wcsph, ContinuityFollowsTheDivergence) {
@@ -59,6 +60,22 @@ TEST(Wcsph, ContinuityFollowsTheDivergence) {
   EXPECT_NEAR(context.at("compression_rate", 0), -1.5 * 0.2, 1e-15);
   EXPECT_NEAR(context.at("compression_midpoint", 0), 0.5 - 0.05 * 1.5 * 0.2, 1e-15);
   EXPECT_NEAR(context.at("density", 0), 2.0 * (1.5 - 0.05 * 1.5 * 0.2), 1e-15);
+}
+
+// delta-SPH: dc/dt gains delta h c0 lap c
+TEST(Wcsph, DiffusionEvensTheDensityOut) {
+  const PhysicsUnderTest flow("wcsph",
+                              {{"density", 2.0}, {"viscosity", 0.1}, {"sound_speed", 3.0}, {"density_diffusion", 0.1}},
+                              box_of(10.0, 0.5));
+  FakePassContext context(1);
+  context.set("compression", {0.5});
+  context.set("velocity_gradient", {0.0, 1e9, 1e9, 0.0});
+  context.set("compression_laplacian", {2.0});
+  context.set("compression_rate", {0.0});
+  context.set("compression_midpoint", {0.0});
+  context.set("density", {0.0});
+  flow.run("continuity", context);
+  EXPECT_NEAR(context.at("compression_rate", 0), 0.1 * 0.5 * 3.0 * 2.0, 1e-15);
 }
 
 // p = rho0 c0^2 / 7 ((1 + c)^7 - 1), to the last digit even where (1 + c)^7 - 1 cancels

@@ -31,6 +31,9 @@ struct Scene {
   double spacing = 0.0;                            ///< initial distance of particles dx, m
   double smoothing_length = 0.0;                   ///< h, m
   double support = 0.0;                            ///< radius of the kernel, m
+  /// Largest step x diffusivity for which the Laplacian of this run, with its kernel and time scheme, is stable (with a
+  /// margin for disordered particles), m2: limit a diffusion D to steps of diffusion_step / D.
+  double diffusion_step = 0.0;
   Index particle_count = 0;
   Scales scales;        ///< what the physics plugins said of their magnitudes
   Constants constants;  ///< what they published by name
@@ -43,7 +46,7 @@ class MESOGEN_EXPORT StepLimits {
     std::string name;
     double seconds;
   };
-  /// `name` says what limits, such as "viscosity: 0.125 h^2 / nu".
+  /// `name` says what limits, such as "friction: 0.25 rho / xi".
   void add(std::string name, double seconds);
   [[nodiscard]] const std::vector<Limit>& all() const { return limits_; }
 
