@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 namespace mesogen::sph {
 
@@ -21,18 +22,26 @@ void for_each_neighbour(const SmoothingKernel& kernel, double spacing, int dimen
 }  // namespace
 
 double largest_laplacian(const SmoothingKernel& kernel, double spacing, int dimension, bool consistent) {
-  std::array<double, 3> taken{};  // by waves that change sign along one, two, three axes
-  double norm = 0.0;
-  for_each_neighbour(kernel, spacing, dimension, [&](int x, int y, int z, double r) {
-    if (r == 0.0) return;
-    const double slope = std::abs(kernel.shape.derivative(r / kernel.smoothing_length));
-    const double weight = slope * (consistent ? r : 1.0 / r);
-    norm += weight * r * r;
-    const std::array<int, 3> along{x, x + y, x + y + z};
-    for (int n = 0; n < dimension; ++n)
-      if (along[static_cast<std::size_t>(n)] % 2 != 0) taken[static_cast<std::size_t>(n)] += 2.0 * weight;
-  });
-  return 2.0 * dimension * *std::max_element(taken.begin(), taken.end()) / norm;
+  constexpr int waves = 12;  // along each axis, up to that which changes sign from particle to particle
+  std::array<double, 2 * waves> cosine{};
+  for (int n = 0; n < 2 * waves; ++n) cosine[static_cast<std::size_t>(n)] = std::cos(std::numbers::pi * n / waves);
+  double largest = 0.0;
+  for (int a = 0; a <= waves; ++a)
+    for (int b = 0; b <= a; ++b)
+      for (int c = 0; c <= (dimension == 3 ? b : 0); ++c) {
+        double taken = 0.0;
+        double norm = 0.0;
+        for_each_neighbour(kernel, spacing, dimension, [&](int x, int y, int z, double r) {
+          if (r == 0.0) return;
+          const double slope = std::abs(kernel.shape.derivative(r / kernel.smoothing_length));
+          const double weight = slope * (consistent ? r : 1.0 / r);
+          const int phase = std::abs(a * x + b * y + c * z) % (2 * waves);
+          taken += weight * (1.0 - cosine[static_cast<std::size_t>(phase)]);
+          norm += weight * r * r;
+        });
+        largest = std::max(largest, 2.0 * dimension * taken / norm);
+      }
+  return largest;
 }
 
 double volume_on_lattice(const SmoothingKernel& kernel, double spacing, int dimension) {

@@ -36,8 +36,8 @@ double error_of_speed(int across) {
 TEST(TaylorGreen, DecaysAtTheExactRate) {
   const double coarse = error_of_speed(40);
   const double fine = error_of_speed(80);
-  EXPECT_LT(std::abs(fine), 0.025);
-  EXPECT_LT(std::abs(fine), std::abs(coarse) / 2.5) << "coarse: " << coarse;
+  EXPECT_LT(std::abs(coarse), 0.004);
+  EXPECT_LT(std::abs(fine), 0.002);
 }
 
 TEST(TaylorGreen, ShiftKeepsParticlesSpread) {

@@ -36,12 +36,13 @@ double error_of(CaseRun& run, const std::vector<double>& values, const Exact& ex
 
 // Started from rest: u = f y (H - y) / (2 mu) - sum over odd n of 4 f H^2 / (mu pi^3 n^3) sin(n pi y / H) e^(-n^2 pi^2
 // nu t / H^2)
-double poiseuille_error(int across, const std::string& arrangement) {
+double poiseuille_error(int across, const std::string& arrangement, const std::string& laplacian = "consistent") {
   constexpr double force = 0.05;
   constexpr double viscosity = 0.1;
   CaseText text = channel(across);
   text.section("particles", fmt::format("spacing = {}\narrangement = \"{}\"", 1.0 / across, arrangement));
-  text.flow(viscosity, "expected_speed = 0.0625")
+  text.kernel("quintic", laplacian)
+      .flow(viscosity, "expected_speed = 0.0625")
       .section("physics.drive", "type = \"body_force\"\nforce = [0.05, 0.0]");
   CaseRun run(text);
   run.run_to(1.0);
@@ -58,9 +59,11 @@ TEST(Poiseuille, ConvergesInSecondOrder) {
   const double coarse = poiseuille_error(20, "lattice");
   const double middle = poiseuille_error(40, "lattice");
   const double fine = poiseuille_error(80, "lattice");
-  EXPECT_LT(fine, 5e-4);
+  EXPECT_LT(fine, 6e-4);
   EXPECT_GT(std::log2(coarse / middle), 1.9) << coarse << ", " << middle;
   EXPECT_GT(std::log2(middle / fine), 1.9) << middle << ", " << fine;
+  // On a lattice the plain Laplacian has the smaller error, as long as the lattice lasts.
+  EXPECT_LT(poiseuille_error(80, "lattice", "plain"), 5e-4);
 }
 
 // Disordered particles: the Laplacian's own error on them remains (see the architecture's weak spots).

@@ -121,7 +121,7 @@ class Looks(CommandTest):
     def test_field_list(self):
         out, _ = self.mesogen("field", "list", self.write_case())
         self.assertRegex(out, r"(?m)^velocity +vector +m/s +physics\.flow +predicted and corrected with acceleration$")
-        self.assertRegex(out, r"(?m)^order_tensor +order tensor +1 +physics\.nematic +advanced with order_tensor_rate$")
+        self.assertRegex(out, r"(?m)^order_tensor +order tensor +1 +physics\.nematic +predicted and corrected with order_tensor_rate$")
 
 
 if __name__ == "__main__":

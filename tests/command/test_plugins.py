@@ -103,7 +103,7 @@ class Plugins(CommandTest):
                                      "schema": {"description": "mu: dynamic viscosity, in Pa s", "type": "number",
                                                 "exclusiveMinimum": 0.0}})
         shift = next(parameter for parameter in told["parameters"] if parameter["name"] == "shift")
-        self.assertEqual((shift["default"], shift["schema"]["maximum"]), (1.0, 10.0))
+        self.assertEqual((shift["default"], shift["schema"]["maximum"]), (0.3, 10.0))
         velocity = next(field for field in told["fields"] if field["name"] == "velocity")
         self.assertEqual(velocity, {"name": "velocity", "rank": "vector", "unit": "m/s", "meaning": "u",
                                     "advanced": "predicted and corrected", "rate": "acceleration"})

@@ -29,8 +29,9 @@ CaseText& CaseText::boundary(const std::string& type) {
   return section("domain", fmt::format("size = [{0:.17g}, {0:.17g}]\nboundary = \"{1}\"", length_, type));
 }
 
-CaseText& CaseText::kernel(const std::string& type) {
-  return section("kernel", fmt::format("type = \"{}\"\nsmoothing_length = {:.17g}", type, 4.0 / 3.0));
+CaseText& CaseText::kernel(const std::string& type, const std::string& laplacian) {
+  return section("kernel", fmt::format("type = \"{}\"\nsmoothing_length = {:.17g}\nlaplacian = \"{}\"", type, 4.0 / 3.0,
+                                       laplacian));
 }
 
 CaseText& CaseText::precision(const std::string& word) {

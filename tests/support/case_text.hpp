@@ -16,7 +16,7 @@ class CaseText {
   /// Puts lines into a section; in place of what stood there. Sections keep the order of their first mention.
   CaseText& section(const std::string& name, const std::string& lines);
   CaseText& boundary(const std::string& type);
-  CaseText& kernel(const std::string& type);
+  CaseText& kernel(const std::string& type, const std::string& laplacian = "consistent");
   CaseText& precision(const std::string& word);
   /// rho = 1 kg/m3; viscosity in Pa s.
   CaseText& flow(double viscosity, const std::string& more = "");
