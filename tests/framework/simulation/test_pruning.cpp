@@ -150,7 +150,7 @@ TEST(Pruning, PassThatOnlyTheOutputNeedsRunsOnlyForFrames) {
 
 // exp(-Gamma K k^2 t) of a small wave of the director, by weights as by pair sums.
 TEST(Pruning, WithoutFlowAWaveDecaysAsItShould) {
-  CaseText text(2.0, 32);
+  CaseText text(2.0, 40);
   text.kernel("quintic", "plain").modes("director", "[[1, 0, 0.01, 0.0]]").nematic(0.4, 0.7, 0.02);
   CaseRun run(text);
   const double before = wave_of(run, run.field("order_tensor", 1), 1, 0).cosine;
