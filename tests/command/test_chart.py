@@ -256,9 +256,9 @@ class Refusals(ChartTest):
 
     def test_kinds(self):
         self.assertEqual(self.refusal(STUDY.replace('"accuracy"', '"acuracy"')),
-                         "error: study.toml: kind: 'acuracy' is none of: accuracy; did you mean 'accuracy'?\n")
+                         "error: study.toml: kind: 'acuracy' is none of: accuracy, stability; did you mean 'accuracy'?\n")
         self.assertEqual(self.refusal(STUDY.replace('kind = "accuracy"', "")),
-                         "error: study.toml: kind: is missing; it is one of: accuracy\n")
+                         "error: study.toml: kind: is missing; it is one of: accuracy, stability\n")
 
     def test_all_that_is_wrong_at_once(self):
         wrong = STUDY.replace("repeats = 2", 'repeat = 2\nthreads = 0\nresolutions = [8, 8]').replace("resolutions = [8, 12, 16]\n", "")
