@@ -60,7 +60,7 @@ std::optional<Advice> core_over_resolved(const AdviceInput& input) {
 std::optional<Advice> few_neighbours(const AdviceInput& input) {
   const Scene& scene = input.setup.scene;
   const double spacings = scene.support / scene.spacing;
-  if (spacings >= 3.0 || input.setup.graph->velocity().empty()) return std::nullopt;
+  if (spacings >= 3.0 || input.setup.graph->transport().velocity.empty()) return std::nullopt;
   const double per_length = input.setup.smoothing.shape.support();
   return Advice{"few_neighbours",
                 fmt::format("the kernel reaches {:.2g} spacings: particles that flow see too few neighbours and clump; "

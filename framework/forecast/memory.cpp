@@ -67,6 +67,10 @@ class Counted {
       masters = masters || integrated;
     };
     for (const PlannedField& field : planned_fields(setup_)) keep(field.components, field.integrated);
+    // What is predicted is kept as it was at the start of a step too; see Integrator.
+    if (setup_.source.time.scheme == "midpoint")
+      for (const auto& [name, entry] : setup_.catalogue.all())
+        if (entry.declaration.advance == Advance::predicted) numbers += setup_.catalogue.components(name) * exact;
     for (const std::string& name : derived()) keep(setup_.catalogue.components(name), false);
     const double scratch = (number_ == exact || masters ? exact : 0.0) + (number_ == single ? single : 0.0);
     // Room is taken for a sixteenth more than there is.
@@ -75,7 +79,8 @@ class Counted {
 
   /// Of derivatives where nothing moves; see sph/fixed_weights.hpp.
   [[nodiscard]] double weights() const {
-    if (!setup_.graph->velocity().empty()) return 0.0;
+    const Transport& flow = setup_.graph->transport();
+    if (!flow.velocity.empty() && !flow.fixed) return 0.0;
     bool gradient = false;
     bool laplacian = false;
     for (const std::string& name : setup_.graph->derived_for_integration()) {

@@ -23,7 +23,7 @@ StepForecast forecast_steps(const Setup& setup) {
   steps.first = rest.seconds;
   steps.limit = rest.limit;
   steps.at_rest = count(time.end, rest.seconds);
-  if (!setup.graph->velocity().empty()) steps.speed = setup.scene.scales.speed;
+  if (!setup.graph->transport().velocity.empty()) steps.speed = setup.scene.scales.speed;
   const auto moving = control.choose(steps.speed, 0.0);
   steps.at_speed = moving.seconds;
   steps.limit_at_speed = moving.limit;

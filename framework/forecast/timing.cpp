@@ -141,7 +141,8 @@ TimeForecast forecast_time(Setup& setup, const StepForecast& steps, double start
   }
   const double count = static_cast<double>(steps.expected);
   const double speed = std::max(fastest, steps.speed > 0.0 ? steps.speed : expected_speed(setup.scene));
-  if (!setup.graph->velocity().empty())
+  const Transport& flow = setup.graph->transport();
+  if (!flow.velocity.empty() && !flow.fixed)
     time.sortings = count_sortings(count, std::min(steps.at_speed, setup.source.time.end), speed, run.skin());
   const double computing = count * time.step + time.sortings * time.sorting + time.observing;
 
