@@ -70,9 +70,9 @@ struct MESOGEN_EXPORT Case {
     std::string type = "quarter";  ///< 1 where x < Lx/2 and y < Ly/2, else 0
   };
   struct Time {
-    double end = 0.0;            ///< s
-    std::optional<double> step;  ///< s; none: chosen automatically
-    double factor = 1.0;         ///< automatic step in multiples of its stability limit
+    double end = 0.0;                 ///< s
+    std::optional<double> step;       ///< s; none: chosen automatically
+    double factor = 1.0;              ///< automatic step in multiples of its stability limit
     std::string scheme = "midpoint";  ///< see TimeScheme
   };
   struct Output {

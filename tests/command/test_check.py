@@ -114,12 +114,12 @@ class Check(CommandTest):
         self.assertRegex(out, r"(?m)^advice\n(?:.*\n)*  the step is 0\.5 of what is stable\n"
                               r"      --set time\.factor=1\n"
                               r"      up to 2 times fewer steps, and as good an answer\n"
-                              r"      steps 46 -> 23\n")
+                              r"      steps 23 -> 12\n")
         told = {one["name"]: one for one in self.check(*arguments)["advice"]}
         self.assertEqual(told["short_step"]["settings"], ["time.factor=1"])
-        self.assertEqual(told["short_step"]["steps"], 23)
+        self.assertEqual(told["short_step"]["steps"], 12)
         followed = self.check(*arguments, "--set", "time.factor=1")
-        self.assertEqual(followed["steps"]["steps_at_least"], 23)
+        self.assertEqual(followed["steps"]["steps_at_least"], 12)
         self.assertNotIn("short_step", [one["name"] for one in followed["advice"]])
 
     def test_advice_that_does_not_go_with_the_case_is_not_given(self):
