@@ -38,6 +38,7 @@ function(mesogen_add_plugin)
                           LIBRARY_OUTPUT_DIRECTORY ${MESOGEN_PLUGIN_OUTPUT}${subfolder}
                           CXX_EXTENSIONS OFF CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
     target_link_libraries(${target} PRIVATE Mesogen::mesogen mesogen_options)
+    target_compile_options(${target} PRIVATE ${MESOGEN_PAIR_LOOP_OPTIONS})
     if(NOT set STREQUAL baseline)
       target_compile_options(${target} PRIVATE -march=${set} ${MESOGEN_INSTRUCTION_SET_OPTIONS})
       add_dependencies(${PLUGIN_NAME} ${target})

@@ -55,8 +55,11 @@ TEST(TaylorGreen, ParticlesClumpWithoutTheShift) {
     FAIL() << "the shift is not needed?";
   } catch (const mesogen::Error& error) {
     EXPECT_EQ(error.code(), mesogen::ExitCode::run_failed);
-    EXPECT_NE(std::string(error.what()).find("the run broke down: 'compression' is "), std::string::npos)
-        << error.what();
+    // Which guard is the first to see it differs with the instruction set.
+    const std::string text = error.what();
+    EXPECT_TRUE(text.find("the run broke down: 'compression' is ") != std::string::npos ||
+                text.find("the run ran away: the largest speed, ") != std::string::npos)
+        << text;
     EXPECT_GT(run.time(), 0.2);
   }
 }
