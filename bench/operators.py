@@ -43,7 +43,7 @@ Made by `bench/operators.py`, with the program that `cmake --build build/release
 """
 READING = """- Gradients and the consistent Laplacian converge on any particles: in second order until what disorder adds, of first order, comes through (beyond some 100 points a wave).
 - The plain Laplacian of disordered particles is worse the finer they are: uneven neighbours leave a share of the first derivative, divided by the spacing. These errors change sign from
-  particle to particle and cancel in sums over pairs, so that a wave still decays at nearly its rate: the scene `relaxation` is 0.7 % off at 64 x 64 particles, 0.6 % at 128 x 128.
+  particle to particle and cancel in sums over pairs, so that a wave still decays at nearly its rate: with it the scene `relaxation` is 0.7 % off at 64 x 64 particles, 0.6 % at 128 x 128.
 - Even on a lattice the plain one keeps an error of 0.05 %, of its normalisation.
 - Single precision is as good as double up to 128 points a wave; beyond, rounding in second derivatives, which grows as 1 / dx^2, begins to show."""
 
