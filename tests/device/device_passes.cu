@@ -160,7 +160,7 @@ Result compute(int across, bool device) {
     }
     wanted.correction = {correction.data(), stride};
     sph::run_derivatives<Real, 2>(space, grid, kernel, wanted);
-    wcsph::Momentum<Real, 2, false> momentum{};
+    wcsph::Momentum<Real, 2, false, false> momentum{};
     momentum.volume = {volume.data(), stride};
     momentum.pressure_term = {p.data(), stride};
     momentum.density = {density.data(), stride};
