@@ -70,9 +70,9 @@ StepGraph::StepGraph(const Catalogue& catalogue, const std::vector<Member>& memb
 
 // What changes because particles do not go exactly with the fluid.
 void StepGraph::add_advection() {
-  if (transport_.fixed ||
-      std::none_of(works_.begin(), works_.end(),
-                   [&](const Work& work) { return makes(work, transport_.shift) && !work.pass.adds_nothing; }))
+  if (transport_.fixed || std::none_of(works_.begin(), works_.end(), [&](const Work& work) {
+        return makes(work, transport_.shift) && !work.pass.adds_nothing;
+      }))
     transport_.shift.clear();
   if (!transport_.advects()) return;
   for (const auto& [name, entry] : catalogue_.all()) {

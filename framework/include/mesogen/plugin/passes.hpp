@@ -20,8 +20,8 @@ struct Transport {
   std::string velocity;  ///< of the fluid, m/s; empty: nothing flows
   std::string shift;     ///< what moves particles beside it, m/s, if any pass adds to it; may be empty
   /// The shift takes a particle into other fluid: every predicted field f (velocity, order tensor) changes by
-  /// + shift . grad f too (arbitrary Lagrangian-Eulerian). Without it, particles keep what they carry, an error of first
-  /// order in the shift.
+  /// + shift . grad f too (arbitrary Lagrangian-Eulerian). Without it, particles keep what they carry, an error of
+  /// first order in the shift.
   bool carries_fields = false;
   /// Particles stay where they are, and every advanced field f changes by - velocity . grad f (Eulerian).
   bool fixed = false;
