@@ -36,9 +36,11 @@ Json steps_json(const Setup& setup, const StepForecast& steps) {
 }
 
 Json time_json(const TimeForecast& time) {
-  return {{"threads", time.threads},     {"timed_steps", time.timed_steps}, {"start", time.start},
-          {"step", time.step},           {"sorting", time.sorting},         {"sortings", time.sortings},
-          {"observing", time.observing}, {"writing", time.writing},         {"wall", time.wall}};
+  return {{"threads", time.threads},     {"timed_steps", time.timed_steps},
+          {"start", time.start},         {"step", time.step},
+          {"sorting", time.sorting},     {"sortings", time.sortings},
+          {"observing", time.observing}, {"writing", time.writing},
+          {"wall", time.wall},           {"cpu", time.cpu}};
 }
 
 Json memory_json(const CheckFacts& facts) {

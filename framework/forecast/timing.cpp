@@ -7,6 +7,7 @@
 #include <cmath>
 #include <vector>
 
+#include "diagnostics/resources.hpp"
 #include "forecast/dimensionless_numbers.hpp"
 #include "forecast/memory.hpp"
 #include "output/checkpoint_file.hpp"
@@ -20,6 +21,7 @@ namespace {
 
 constexpr int fewest_steps = 3;
 constexpr int most_steps = 1000;
+constexpr double long_step = 0.1;         // s: nobody wants to wait for many of them
 constexpr double bytes_per_second = 3e8;  // of a disk
 constexpr double seconds_per_file = 5e-3;
 
@@ -28,6 +30,15 @@ double seconds(Action&& action) {
   const auto from = std::chrono::steady_clock::now();
   action();
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - from).count();
+}
+
+/// The median of some tries: a single one may be interrupted by whatever else the machine does.
+template <class Action>
+double median_of(int tries, Action&& action) {
+  std::vector<double> all;
+  for (int n = 0; n < tries; ++n) all.push_back(action());
+  std::sort(all.begin(), all.end());
+  return all[all.size() / 2];
 }
 
 /// The first steps of a run, each part by itself.
@@ -121,22 +132,25 @@ TimeForecast forecast_time(Setup& setup, const StepForecast& steps, double start
   const double fastest = run.fastest();
   run.step();
   run.sorting();
-  time.sorting = run.sorting();
+  time.sorting = median_of(5, [&] { return run.sorting(); });
   run.step();
 
   // Steps that happen to sort count for their number, without the sorting.
   const std::int64_t sorted = run.sortings();
   double stepping = 0.0;
+  const double cpu_before = cpu_seconds();
   while (time.timed_steps < fewest_steps || (stepping < budget && time.timed_steps < most_steps)) {
     stepping += run.step();
     ++time.timed_steps;
   }
+  const double processors = (cpu_seconds() - cpu_before) / stepping;
   const double sorting = static_cast<double>(run.sortings() - sorted) * time.sorting;
   time.step = std::max(stepping - sorting, stepping / 2.0) / time.timed_steps;
 
   for (std::size_t n = 0; n < run.readers(); ++n) {
     run.step_for(n);
-    const double extra = std::max(0.0, run.step_for(n) - time.step);
+    const double with = median_of(time.step < long_step ? 3 : 1, [&] { return run.step_for(n); });
+    const double extra = std::max(0.0, with - time.step);
     time.observing += extra * times_due(setup, n, steps.expected);
   }
   const double count = static_cast<double>(steps.expected);
@@ -153,6 +167,7 @@ TimeForecast forecast_time(Setup& setup, const StepForecast& steps, double start
   const double a_frame = 3.0 * frame_bytes(setup) / bytes_per_second + 3.0 * seconds_per_file;
   time.writing = checkpoints * a_checkpoint + frames * a_frame;
   time.wall = time.start + computing + time.writing;
+  time.cpu = processors * time.wall;
   return time;
 }
 

@@ -17,6 +17,7 @@ struct TimeForecast {
   double observing = 0.0;  ///< all samples and frames, s
   double writing = 0.0;    ///< frames, checkpoints and the results at the end, s; of disks a common speed is assumed
   double wall = 0.0;       ///< all together, s
+  double cpu = 0.0;        ///< processor time in it, all threads together, s: less where the machine is shared
 };
 
 /// Takes the first steps of the case in this process, for about `budget` seconds, and writes nothing. `start_up`: what
