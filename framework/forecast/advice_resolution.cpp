@@ -14,6 +14,9 @@ constexpr double few_spacings = 1.5;   // in a core: 3 % wrong
 constexpr double good_spacings = 2.0;  // 1.7 %
 constexpr double many_spacings = 4.0;  // 0.4 %
 
+// More are no help to anyone.
+constexpr double most_particles = 2e7;
+
 /// xi = sqrt(K / |A|) in spacings; 0 where there is no nematic.
 double core_in_spacings(const Setup& setup) {
   const double bulk = std::abs(published(setup, "bulk_A"));
@@ -33,6 +36,7 @@ std::string spacing_setting(const Setup& setup, double spacings) {
 std::optional<Advice> core_under_resolved(const AdviceInput& input) {
   const double spacings = core_in_spacings(input.setup);
   if (!(spacings > 0.0) || spacings >= few_spacings) return std::nullopt;
+  if (input.setup.scene.particle_count * std::pow(good_spacings / spacings, 2) > most_particles) return std::nullopt;
   return Advice{"core_under_resolved",
                 fmt::format("a defect's core, xi, is {:.2g} spacings: the order in it is wrong by {}", spacings,
                             spacings < 1.0 ? "more than 6 %" : fmt::format("some {:.2g} %", percent_wrong(spacings))),

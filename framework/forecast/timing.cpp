@@ -35,8 +35,8 @@ double seconds(Action&& action) {
 /// The median of some tries: a single one may be interrupted by whatever else the machine does.
 template <class Action>
 double median_of(int tries, Action&& action) {
-  std::vector<double> all;
-  for (int n = 0; n < tries; ++n) all.push_back(action());
+  std::vector<double> all(static_cast<std::size_t>(tries));
+  for (double& one : all) one = action();
   std::sort(all.begin(), all.end());
   return all[all.size() / 2];
 }
@@ -153,7 +153,7 @@ TimeForecast forecast_time(Setup& setup, const StepForecast& steps, double start
     const double extra = std::max(0.0, with - time.step);
     time.observing += extra * times_due(setup, n, steps.expected);
   }
-  const double count = static_cast<double>(steps.expected);
+  const auto count = static_cast<double>(steps.expected);
   const double speed = std::max(fastest, steps.speed > 0.0 ? steps.speed : expected_speed(setup.scene));
   const Transport& flow = setup.graph->transport();
   if (!flow.velocity.empty() && !flow.fixed)
