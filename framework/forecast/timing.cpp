@@ -154,7 +154,8 @@ TimeForecast forecast_time(Setup& setup, const StepForecast& steps, double start
     time.observing += extra * times_due(setup, n, steps.expected);
   }
   const auto count = static_cast<double>(steps.expected);
-  const double speed = std::max(fastest, steps.speed > 0.0 ? steps.speed : expected_speed(setup.scene));
+  // The expected speed is the largest that there will be; on the way to it the flow is slower.
+  const double speed = std::max(fastest, expected_speed(setup.scene) / 2.0);
   const Transport& flow = setup.graph->transport();
   if (!flow.velocity.empty() && !flow.fixed)
     time.sortings = count_sortings(count, std::min(steps.at_speed, setup.source.time.end), speed, run.skin());

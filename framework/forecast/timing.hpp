@@ -13,7 +13,7 @@ struct TimeForecast {
   double start = 0.0;      ///< before the first step, s
   double step = 0.0;       ///< a step without anything that is due only now and then, s
   double sorting = 0.0;    ///< sorting particles anew, s
-  double sortings = 0.0;   ///< how often, at the speed that the case expects or starts with
+  double sortings = 0.0;   ///< how often, at half the speed that the case expects, or that at its start
   double observing = 0.0;  ///< all samples and frames, s
   double writing = 0.0;    ///< frames, checkpoints and the results at the end, s; of disks a common speed is assumed
   double wall = 0.0;       ///< all together, s
