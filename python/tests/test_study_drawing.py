@@ -79,7 +79,8 @@ class Drawing(synthetic.FolderTest):
     def test_ticks_are_never_few_and_numbers_short(self):
         self.assertEqual(look.log_ticks(0.9, 1200.0), [1.0, 10.0, 100.0, 1000.0])
         self.assertEqual(look.log_ticks(1.5, 30.0), [2.0, 5.0, 10.0, 20.0])
-        self.assertEqual([look.plain(x) for x in (0.05, 1200.0, 2e6, 5e-5)], ["0.05", "1200", "2·10⁶", "5·10⁻⁵"])
+        self.assertEqual([look.plain(x) for x in (0.05, 1200.0, 2e6, 5e-5, 1e-6)],
+                         ["0.05", "1200", "2·10⁶", "5·10⁻⁵", "10⁻⁶"])
 
 
 if __name__ == "__main__":

@@ -4,6 +4,7 @@ import csv
 import fcntl
 import os
 import pathlib
+import re
 import signal
 import subprocess
 import time
@@ -206,14 +207,27 @@ class Chart(ChartTest):
         before = self.runs()
         self.write(self.read("study.toml").replace('"time.end" = 0.2', '"time.end" = 0.2\n"time.factor" = 0.7'), "study.toml")
         _, err = self.chart("--only", "short,default")
-        self.assertIn("short 8 runs again: the study, its case or its answer has changed\n", err)
-        self.assertNotIn("default", err)
+        self.assertIn("short 8 runs again: the study, its case, its answer or a default of mesogen has changed\n", err)
+        self.assertNotIn("default 8", err)
         self.assertEqual(len(self.runs()), len(before) + 2)
 
         self.write("# a remark changes nothing\n" + CASE, "scene/case.toml")
         self.assertEqual(self.chart("--only", "short,default")[1], "")
         self.write(CASE.replace("viscosity = 0.05", "viscosity = 0.06"), "scene/case.toml")
         self.assertIn("default 8 runs again", self.chart("--only", "short,default")[1])
+
+    def test_runs_with_other_defaults_are_done_again(self):
+        self.chart("--only", "short")
+        self.assertNotIn("defaults", self.read("out", "table.md"))
+        text = self.read("out", "runs.csv")
+        self.assertEqual(text.count(", defaults "), 2)
+        self.write(re.sub(", defaults [0-9a-f]+", "", text), "out/runs.csv")  # as an older version wrote it
+        self.assertEqual(self.chart("--only", "short")[1], "")
+        self.write(re.sub(", defaults [0-9a-f]+", ", defaults 0123456789ab", text), "out/runs.csv")
+        self.assertEqual(self.chart("--draw-only", "--only", "short", code=2)[1],
+                         "error: out: nothing has run yet; leave out --draw-only\n")
+        self.assertIn("short 8 runs again: ", self.chart("--only", "short")[1])
+        self.assertEqual(len(self.runs()), 4)
 
     def test_a_failure_is_a_point(self):
         self.write(STUDY + FAILS, "study.toml")

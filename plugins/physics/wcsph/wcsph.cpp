@@ -174,8 +174,9 @@ class Wcsph final : public Physics {
         .advanced_by("compression_rate")
         .stays_within(
             -0.3, 0.3,
-            "Leave the shift on and take a smaller step (time.factor = 0.5); if the flow is faster than a tenth of the "
-            "sound, raise sound_speed (or expected_speed, where that is \"auto\")");
+            "If the flow is faster than a tenth of the sound, raise sound_speed (or expected_speed, where that is "
+            "\"auto\"); else leave the shift on and time.scheme at \"midpoint\", or take a smaller step (time.factor = "
+            "0.5)");
     list.field("compression_rate", Rank::scalar).unit("1/s").doc("D(rho / rho0)/Dt");
     list.field("compression_midpoint", Rank::scalar).doc("rho / rho0 - 1 at the midpoint of the step");
     list.field("compression_filtered", Rank::scalar).doc("the same after the density filter");

@@ -39,7 +39,7 @@ def chart(options):
         def progress(total, done):
             return Progress(total, done, options.quiet)
         module.run_study(study, folder, options.mesogen, progress, lambda line: print(line, file=sys.stderr, flush=True))
-    text, names = module.write_outputs(study, folder)
+    text, names = module.write_outputs(study, folder, options.mesogen)
     print(text)
     for name in names:
         print(f"wrote {name}")

@@ -13,7 +13,7 @@ from .errors import StudyError
 from .execution import command_line, execute, refusal
 from .expectation import expected_left
 from .ledger import Ledger, locked, write_file
-from .machine import machine_text, version_text
+from .machine import machine_text, of_same_defaults, program_text
 from .points import points_of
 from .progress import Progress, duration_text
 from .tables import markdown, percent, points_csv
@@ -49,9 +49,10 @@ def current_rows(study, rows):
     return sorted(mine, key=lambda row: order[row["key"]])
 
 
-def stale(study, rows):
-    """Names of points that ran for another form of the study, its case or its answer, and not for this one."""
-    there = {row["key"] for row in rows}
+def stale(study, rows, usable):
+    """Names of points that ran for another form of the study, its case, its answer or mesogen, and not for this one.
+    rows: all; usable: those of this mesogen."""
+    there = {row["key"] for row in usable}
     before = {(row["variant"], int(row["resolution"])) for row in rows}
     return list(dict.fromkeys(job.name for job in study.jobs()
                               if job.key not in there and (job.variant, job.resolution) in before))
@@ -59,7 +60,7 @@ def stale(study, rows):
 
 def list_runs(study, folder, program, write):
     """Every run, whether it is done, and its command."""
-    rows = Ledger(os.path.join(folder, "runs.csv"), COLUMNS).rows
+    rows = of_same_defaults(Ledger(os.path.join(folder, "runs.csv"), COLUMNS).rows, program)
     waiting = {(job.key, job.repeat) for job in missing(study, rows)}
     for job in study.jobs():
         row = row_of(job, study, rows)
@@ -72,13 +73,15 @@ def run_study(study, folder, program, progress_of=Progress, tell=print):
     """Does what is missing. Raises StudyError if mesogen refuses a variant, before anything is run."""
     with locked(folder):
         ledger = Ledger(os.path.join(folder, "runs.csv"), COLUMNS)
+        before = of_same_defaults(ledger.rows, program)
+        for name in stale(study, ledger.rows, before):
+            tell(f"{name} runs again: the study, its case, its answer or a default of mesogen has changed")
+        ledger.rows = before
         waiting = missing(study, ledger.rows)
-        for name in stale(study, ledger.rows):
-            tell(f"{name} runs again: the study, its case or its answer has changed")
         if waiting:
             check_variants(study, program)
         progress = progress_of(len(study.jobs()), len(study.jobs()) - len(waiting))
-        where = {"machine": machine_text(), "version": version_text(program)}
+        where = {"machine": machine_text(), "version": program_text(program)}
         try:
             while waiting:
                 job = waiting[0]
@@ -86,9 +89,9 @@ def run_study(study, folder, program, progress_of=Progress, tell=print):
                 row = run_job(study, job, folder, program, progress.tick)
                 ledger.add({**row, **where})
                 progress.end(row_text(row))
-                before = len(waiting)
-                waiting = missing(study, ledger.rows)
-                progress.done += before - 1 - len(waiting)
+                left = missing(study, ledger.rows)
+                progress.done += len(waiting) - 1 - len(left)
+                waiting = left
         finally:
             progress.close()
             shutil.rmtree(os.path.join(folder, "run"), ignore_errors=True)
@@ -138,9 +141,9 @@ def row_text(row):
     return f"error {percent(row['error'])}, {took}" if row["status"] == "done" else f"FAILED: {row['reason']}"
 
 
-def write_outputs(study, folder):
+def write_outputs(study, folder, program):
     """Tables and charts of what is there. Returns (the table's text, names of files written)."""
-    rows = current_rows(study, Ledger(os.path.join(folder, "runs.csv"), COLUMNS).rows)
+    rows = current_rows(study, of_same_defaults(Ledger(os.path.join(folder, "runs.csv"), COLUMNS).rows, program))
     points = points_of(rows)
     if not points:
         raise StudyError(f"{folder}: nothing has run yet; leave out --draw-only")

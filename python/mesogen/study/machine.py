@@ -1,9 +1,13 @@
 """On what the runs ran."""
 
+import json
 import os
 import subprocess
 
 from .errors import StudyError
+from .overrides import digest
+
+DEFAULTS = ", defaults "  # in the column `version`, before their digest
 
 
 def machine_text():
@@ -26,3 +30,27 @@ def version_text(program):
     except (OSError, subprocess.CalledProcessError) as error:
         raise StudyError(f"{program} cannot be started ({error}); give the command with --mesogen") from error
     return done.stdout.strip()
+
+
+def program_text(program):
+    """version_text, and a digest of all keys with their defaults: a case that leaves them out means another one where they
+    differ."""
+    done = subprocess.run([program, "schema"], capture_output=True, text=True, check=False)
+    return version_text(program) + (DEFAULTS + digest(_without_words(json.loads(done.stdout))) if not done.returncode else "")
+
+
+def of_same_defaults(rows, program):
+    """The rows of the ledger whose defaults are those of this program, and those that do not tell theirs."""
+    try:
+        mine = program_text(program).partition(DEFAULTS)[2]
+    except StudyError:
+        return rows  # there is nothing to compare with, and nothing to run
+    return [row for row in rows if row["version"].partition(DEFAULTS)[2] in ("", mine)]
+
+
+def _without_words(schema):
+    """A JSON schema without what is said about it."""
+    if isinstance(schema, dict):
+        return {key: _without_words(value) for key, value in schema.items()
+                if key not in ("title", "description") or not isinstance(value, str)}
+    return [_without_words(value) for value in schema] if isinstance(schema, list) else schema

@@ -1,5 +1,7 @@
 """Markdown that reads well on a terminal too."""
 
+from .machine import DEFAULTS
+
 
 def table_lines(header, rows, left=()):
     """A table with aligned columns; those named in `left` stand to the left, numbers to the right."""
@@ -20,7 +22,7 @@ def head_lines(rows):
     """Machine, version and dates of the runs. rows: of the ledger."""
     lines = []
     for what, column in (("Machine", "machine"), ("Mesogen", "version")):
-        found = sorted({row[column] for row in rows})
+        found = sorted({row[column].partition(DEFAULTS)[0] for row in rows})
         lines += [f"{what}: {'; '.join(found)}" + (" (MIXED: times are not comparable)" if len(found) > 1 else ""), ""]
     dates = sorted({row["date"][:10] for row in rows})
     span = dates[0] if len(dates) == 1 else f"{dates[0]} to {dates[-1]}"

@@ -14,7 +14,7 @@ from .errors import StudyError
 from .execution import command_line, execute, refusal
 from .judge import CRITERIA, Verdict, judge, way_of
 from .ledger import Ledger, locked, write_file
-from .machine import machine_text, version_text
+from .machine import machine_text, of_same_defaults, program_text
 from .progress import Progress, duration_text
 from .search import boundaries, next_value
 from .stability_tables import boundaries_csv, markdown
@@ -62,7 +62,7 @@ def too_slow(study, row):
 
 def list_runs(study, folder, program, write):
     """Every run that is done, and the next of each search."""
-    rows = Ledger(os.path.join(folder, "runs.csv"), COLUMNS).rows
+    rows = of_same_defaults(Ledger(os.path.join(folder, "runs.csv"), COLUMNS).rows, program)
     for cell in study.cells():
         found, following = found_of(study, cell, rows)
         for value, row in sorted(found.rows.items()):
@@ -79,15 +79,17 @@ def run_study(study, folder, program, progress_of=Progress, tell=print):
     """Searches until every boundary is found. Raises StudyError if mesogen refuses a variant at either end."""
     with locked(folder):
         ledger = Ledger(os.path.join(folder, "runs.csv"), COLUMNS)
+        everything = len(ledger.rows)
+        ledger.rows = of_same_defaults(ledger.rows, program)
         searches = [found_of(study, cell, ledger.rows) for cell in study.cells()]
         if all(found.complete for found, _ in searches):
             return
-        if ledger.rows and not any(found.rows for found, _ in searches):
-            tell("all runs are done again: the study, its case or its answer has changed")
+        if everything and not any(found.rows for found, _ in searches):
+            tell("all runs are done again: the study, its case, its answer or a default of mesogen has changed")
         check_variants(study, program)
         done = sum(len(found.rows) for found, _ in searches)
         progress = progress_of(done + to_come(study, searches), done)
-        where = {"machine": machine_text(), "version": version_text(program)}
+        where = {"machine": machine_text(), "version": program_text(program)}
         try:
             for number, cell in enumerate(study.cells()):
                 while True:
@@ -147,9 +149,9 @@ def run_trial(study, cell, value, folder, program, tick):
             "date": datetime.now(timezone.utc).strftime("%Y-%m-%dT%H:%M:%SZ")}
 
 
-def write_outputs(study, folder, program="mesogen"):
+def write_outputs(study, folder, program):
     """Map and tables of what is there. Returns (the table's text, names of files written)."""
-    rows = Ledger(os.path.join(folder, "runs.csv"), COLUMNS).rows
+    rows = of_same_defaults(Ledger(os.path.join(folder, "runs.csv"), COLUMNS).rows, program)
     searches = [found_of(study, cell, rows)[0] for cell in study.cells()]
     if not any(found.rows for found in searches):
         raise StudyError(f"{folder}: nothing has run yet; leave out --draw-only")

@@ -84,7 +84,9 @@ def plain(value):
     if 1e-3 <= abs(value) < 1e4:
         return f"{value:g}"
     power = math.floor(math.log10(abs(value)))
-    return f"{value / 10**power:g}·10" + str(power).translate(str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"))
+    ten = "10" + str(power).translate(str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"))
+    factor = f"{value / 10**power:g}"
+    return ten if factor == "1" else f"{factor}·{ten}"
 
 
 def save(page, stem):

@@ -68,6 +68,7 @@ def _scale(axis, values):
     else:
         room = 0.08 * (max(values) - min(values))
         axis.axes.set_xlim(min(values) - room, max(values) + room)
+        axis.set_ticks(list(values), [look.plain(value) for value in values])
         axis.grid(True, color=look.GRID, lw=0.6)
 
 
@@ -86,7 +87,7 @@ def _sweep_axis(axis, sweep):
 
 def _bars(study, searches):
     names = [found.cell.name for found in searches]
-    width, row, head, foot = 7.6, 0.34, 0.62, 0.8
+    width, row, head, foot = 7.6, 0.34, 0.62, 0.6
     height = head + foot + row * len(names)
     page = style.page(width, height)
     left = 0.35 + 0.075 * max(len(name) for name in names)
@@ -101,30 +102,41 @@ def _bars(study, searches):
         for low, high, held in spans(study.sweep, found):
             axes.barh(number, high - low, left=low, height=0.62, color={True: HELD, False: FAILED, None: UNKNOWN}[held],
                       zorder=2)
-        for inside, outside, row_outside in found.edges:
-            axes.plot([_middle(study.sweep, (inside, outside, None))] * 2, [number - 0.31, number + 0.31], color=style.INK,
-                      lw=1.4, zorder=3)
-            grows = outside > inside
-            axes.annotate(f"{row_outside['how']} at {outside:g}", (outside, number), xytext=(6 if grows else -6, 0),
-                          textcoords="offset points", ha="left" if _room(study.sweep, outside, grows) else "right",
-                          va="center", fontsize=7.5, zorder=4)
+        _edges(axes, study.sweep, number, found.edges)
         if found.complete and not found.edges:
             words = "holds over the whole range" if found.holds else "fails over the whole range"
             ways = list(dict.fromkeys(row["how"] for row in found.rows.values() if row["how"]))
             axes.text(0.5, number, words + (f": {', '.join(ways)}" if ways else ""), transform=axes.get_yaxis_transform(),
                       ha="center", va="center", fontsize=7.5, zorder=4)
     axes.set_xlabel(study.sweep_name)
-    for colour, words, x in ((HELD, "holds", 0.0), (FAILED, "fails", 0.13)):
-        axes.text(x, 1.0 + 0.12 / (row * len(names)), "■ " + words, transform=axes.transAxes, color=colour, fontsize=8.5,
-                  va="bottom")
+    for colour, words, x in ((HELD, "holds", 0.0), (FAILED, "fails", 0.12)):
+        at = {"transform": axes.transAxes, "fontsize": 8.5, "va": "bottom"}
+        axes.text(x, 1.0 + 0.1 / (row * len(names)), "■", color=colour, **at)
+        axes.text(x + 0.025, 1.0 + 0.1 / (row * len(names)), words, **at)
     return page
 
 
-def _room(sweep, outside, grows):
-    """Whether the words of a boundary go to its right: toward where it fails, unless that is a narrow strip."""
+def _edges(axes, sweep, number, edges):
+    """The boundaries of one bar, each with its words on the side where it fails, if there is room."""
     low, high = sorted((sweep.first, sweep.last))
-    share = (math.log(outside / low) / math.log(high / low)) if sweep.log else (outside - low) / (high - low)
-    return share < 0.75 if grows else share < 0.25
+
+    def share(value):
+        return math.log(value / low) / math.log(high / low) if sweep.log else (value - low) / (high - low)
+
+    middles = [_middle(sweep, edge) for edge in edges]
+    taken = []
+    for middle, (inside, outside, row) in zip(middles, edges, strict=True):
+        axes.plot([middle, middle], [number - 0.31, number + 0.31], color=style.INK, lw=1.4, zorder=3)
+        words = f"{row['how']} at {outside:g}"
+        length = 0.014 * len(words)
+        right = share(middle) + length < 1.0 if outside > inside else share(middle) < length
+        span = (share(middle), share(middle) + length) if right else (share(middle) - length, share(middle))
+        others = [(share(other), share(other)) for other in middles if other != middle]
+        if any(span[0] < other[1] and other[0] < span[1] for other in taken + others):
+            continue  # the table has it
+        taken.append(span)
+        axes.annotate(words, (middle, number), xytext=(6 if right else -6, 0), textcoords="offset points",
+                      ha="left" if right else "right", va="center", fontsize=7.5, zorder=4)
 
 
 def spans(sweep, found):
