@@ -39,7 +39,7 @@ void add_replay(CLI::App& command, Action& action) {
   verb->add_option("case", options->observers.file,
                    "Case file whose [observers.*] are used, and nothing else of it (default: those of the run)")
       ->type_name("CASE");
-  verb->add_option("--output", options->output, "File for the samples (default: DIR/replay.h5)")->type_name("FILE");
+  verb->add_option("-o,--output", options->output, "File for the samples (default: DIR/replay.h5)")->type_name("FILE");
   verb->add_flag("--overwrite", options->overwrite, "Replace the file for the samples if it is there");
   verb->add_option("--set", options->observers.overrides,
                    "Change a key of an observer, such as observers.paths.count=8; may be repeated")

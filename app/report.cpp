@@ -16,7 +16,7 @@ void add_report(CLI::App& command, Action& action) {
   const auto options = std::make_shared<Options>();
   auto* const verb = command.add_subcommand("report", "Draw pictures of a run's results");
   verb->add_option("folder", options->folder, "Folder of a run")->type_name("DIR")->required();
-  verb->add_option("--output", options->output, "Folder for the pictures (default: DIR/report)")->type_name("DIR");
+  verb->add_option("-o,--output", options->output, "Folder for the pictures (default: DIR/report)")->type_name("DIR");
   verb->add_option("--frame", options->frame, "Frame to draw; negative numbers count from the end (default: the last)")
       ->type_name("N");
   verb->callback([&action, options] {

@@ -45,7 +45,7 @@ void add_run(CLI::App& command, Action& action) {
   const auto options = std::make_shared<Options>();
   auto* const verb = command.add_subcommand("run", "Run a case");
   add_case(*verb, options->source);
-  verb->add_option("--output", options->output, "Folder for the results (default: output/<name of the case>)")
+  verb->add_option("-o,--output", options->output, "Folder for the results (default: output/<name of the case>)")
       ->type_name("DIR");
   verb->add_flag("--overwrite", options->overwrite, "Remove the run that the folder holds first");
   add_running(*verb, options->running);

@@ -236,7 +236,8 @@ class Chart(ChartTest):
         failed = [run for run in self.runs() if run["variant"] == "runs_away"]
         self.assertEqual([(run["status"], run["error"]) for run in failed], [("failed", "")])  # not repeated
         self.assertRegex(failed[0]["reason"], r"^the run (broke down|ran away).* at t = ")
-        self.assertRegex(out, r"\| runs_away \| +8 \| +\| .* FAILED: the run (broke down|ran away)")
+        self.assertRegex(out, r"\| runs_away \| +8 \| +\| .* FAILED +\|")
+        self.assertRegex(out, r"\n- runs_away 8: the run (broke down|ran away)")
         self.assertEqual(self.chart("--only", "short,runs_away")[1], "")
         self.chart("--only", "runs_away")  # nothing to draw but a table
 
@@ -245,7 +246,7 @@ class Chart(ChartTest):
         self.write(study, "study.toml")
         out, _ = self.chart("--only", "default")
         self.assertEqual([(run["status"], run["reason"]) for run in self.runs()], [("timeout", "took longer than 0.5 s")])
-        self.assertIn("FAILED: took longer than 0.5 s", out)
+        self.assertRegex(out, r"\n- \w+ 60: took longer than 0.5 s\n")
         self.assertEqual(self.chart("--only", "default")[1], "")
         self.write(study.replace("timeout = 0.5", "timeout = 600"), "study.toml")
         self.assertRegex(self.chart("--list", "--only", "default")[0], "^missing  default 60")
@@ -293,6 +294,27 @@ class Refusals(ChartTest):
     def test_no_variant(self):
         self.assertEqual(self.refusal(STUDY[: STUDY.index("[variant")]),
                          "error: study.toml: variant: is missing; it is one or more tables [variant.NAME]\n")
+
+    def test_variants_of_a_file(self):
+        self.write('[variant.wendland_c4]\n"kernel.type" = "wendland_c4"\n', "shared.toml")
+        shares = STUDY.replace("repeats = 2", 'repeats = 2\nvariants_from = ["shared.toml"]')
+        self.write(shares, "study.toml")
+        names = [line.split()[1] for line in self.chart("--list")[0].splitlines()]
+        self.assertEqual(names[:4], ["wendland_c4", "default", "wendland_c2", "short"])
+        self.write(shares[: shares.index("[variant")], "study.toml")  # none of its own
+        self.assertEqual({line.split()[1] for line in self.chart("--list")[0].splitlines()}, {"wendland_c4"})
+
+    def test_variants_of_a_file_that_do_not_fit(self):
+        self.write('title = "x"\n[variant.default]\n', "shared.toml")
+        wrong = STUDY.replace("repeats = 2", 'repeats = 2\nvariants_from = ["shared.toml", "none.toml"]')
+        self.assertEqual(self.refusal(wrong).splitlines(), [
+            "errors:",
+            "shared.toml: title: no such key; there are: variant",
+            "study.toml: variants_from: none.toml: the variants cannot be read: No such file or directory",
+            "study.toml: variant.default: is also in shared.toml; give one of them another name",
+        ])
+        self.assertEqual(self.refusal(STUDY.replace("repeats = 2", 'repeats = 2\nvariants_from = "shared.toml"')),
+                         "error: study.toml: variants_from: must be a list of different texts\n")
 
     def test_no_scene(self):
         self.assertEqual(self.refusal(STUDY.replace('"scene"', '"scenes"')),

@@ -8,6 +8,7 @@ import sys
 from . import accuracy, stability
 from .accuracy_study import read_accuracy_study
 from .errors import Interrupted, StudyError
+from .parts import only
 from .progress import Progress
 from .stability_study import read_stability_study
 from .table_reader import nearest, read_toml
@@ -29,7 +30,7 @@ def read_study(file):
 
 def chart(options):
     study, module = read_study(options.study)
-    study = study.only(options.only)
+    study = only(study, options.only)
     name = os.path.splitext(os.path.basename(options.study))[0]
     folder = options.output or os.path.join("output", "charts", name)
     if options.list:

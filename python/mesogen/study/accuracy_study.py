@@ -8,6 +8,7 @@
     threads = 1
     timeout = 600                               # s of wall time, optional: a run that takes longer has failed
     seeds = [1, 2, 3]                           # optional: each run for each particles.seed
+    variants_from = ["variants/flow.toml"]      # optional: variants that studies share, see parts.py
     [common]                                    # optional: changed in all runs
     "time.end" = 0.4
     [variant.default]
@@ -17,13 +18,13 @@
     "kernel.type" = "wendland_c4"               # keys of the case, dotted and quoted
 """
 
-import os
 from dataclasses import dataclass
 
 from .errors import StudyError
 from .overrides import digest, read_overrides
-from .scene import Scene, read_scene
-from .table_reader import TableReader, nearest
+from .parts import scene_of, variant_tables
+from .scene import Scene
+from .table_reader import TableReader
 
 
 @dataclass(frozen=True)
@@ -62,15 +63,6 @@ class AccuracyStudy:
     common: dict
     variants: tuple
 
-    def only(self, names):
-        """The study with these variants alone, all if there are none. Raises StudyError for a name that is none."""
-        known = [variant.name for variant in self.variants]
-        for name in names:
-            if name not in known:
-                raise StudyError(f"--only: no variant '{name}' in {self.file}{nearest(name, known)}")
-        chosen = tuple(variant for variant in self.variants if not names or variant.name in names)
-        return AccuracyStudy(**{**vars(self), "variants": chosen})
-
     def jobs(self):
         """All runs, in the order in which they are done: every point once, coarse ones first, then all again, so that
         a machine that slows down for a while does so for all alike."""
@@ -97,21 +89,15 @@ def read_accuracy_study(file, data):
     table = TableReader(data, file, problems)
     table.text("kind")
     title = table.text("title")
-    place = table.text("scene")
+    scene = scene_of(table)
     resolutions = tuple(table.integers("resolutions", at_least=2) or ())
     repeats, threads = table.integer("repeats", 1), table.integer("threads", 1)
     timeout = table.number("timeout", default=None, above=0)
     seeds = tuple(table.integers("seeds", default=[], at_least=0))
     common_table = table.table("common")
     common = read_overrides(common_table)
-    variants = tuple(_variant(name, one, resolutions) for name, one in table.named_tables("variant").items())
+    variants = tuple(_variant(name, one, resolutions) for name, one in variant_tables(table).items())
     table.finish()
-    scene = None
-    if place is not None:
-        try:
-            scene = read_scene(os.path.normpath(os.path.join(os.path.dirname(file), place)), problems)
-        except StudyError as error:
-            problems += [f"{table.place('scene')}: {problem}" for problem in error.problems]
     if problems:
         raise StudyError(problems)
     return AccuracyStudy(file, title, scene, repeats, threads, timeout, seeds, common, variants)

@@ -25,21 +25,21 @@
     [judge]                                     # optional: bounds, see judge.py; false: not looked at
     volume = 0.2
     energy = 0.05
-    [variant.default]
+    [variant.default]                           # or in files that studies share, see parts.py
     [variant.no_shift]
     "physics.flow.shift" = 0.0
 """
 
-import os
 import tomllib
 from dataclasses import dataclass
 
 from .errors import StudyError
 from .judge import Bounds, bounds_data, read_bounds
 from .overrides import digest, is_value, read_overrides
-from .scene import Scene, read_scene
+from .parts import scene_of, variant_tables
+from .scene import Scene
 from .search import Sweep
-from .table_reader import TableReader, is_number, nearest
+from .table_reader import TableReader, is_number
 
 
 @dataclass(frozen=True)
@@ -81,15 +81,6 @@ class StabilityStudy:
     bounds: Bounds
     variants: tuple
 
-    def only(self, names):
-        """The study with these variants alone, all if there are none. Raises StudyError for a name that is none."""
-        known = [variant.name for variant in self.variants]
-        for name in names:
-            if name not in known:
-                raise StudyError(f"--only: no variant '{name}' in {self.file}{nearest(name, known)}")
-        chosen = tuple(variant for variant in self.variants if not names or variant.name in names)
-        return StabilityStudy(**{**vars(self), "variants": chosen})
-
     def cells(self):
         return [Cell(variant, value) for variant in self.variants for value in self.across_values or (None,)]
 
@@ -109,7 +100,7 @@ def read_stability_study(file, data):
     problems = []
     table = TableReader(data, file, problems)
     table.text("kind")
-    title, place = table.text("title"), table.text("scene")
+    title, scene = table.text("title"), scene_of(table, answer_required=False)
     end, threads = table.number("end", above=0), table.integer("threads", 1)
     timeout, remedy = table.number("timeout", default=None, above=0), table.text("remedy", "")
     common = read_overrides(table.table("common"))
@@ -118,15 +109,9 @@ def read_stability_study(file, data):
     sweep_name, template = sweep_table.text("name", sweep_key or ""), _template(sweep_table)
     sweep_table.finish()
     across_key, across_name, values = _across(table.table("across")) if "across" in table else (None, "", ())
-    variants = tuple(_variant(name, one) for name, one in table.named_tables("variant").items())
+    variants = tuple(_variant(name, one) for name, one in variant_tables(table).items())
     judge_table = table.table("judge")
     table.finish()
-    scene = None
-    if place is not None:
-        try:
-            scene = read_scene(os.path.normpath(os.path.join(os.path.dirname(file), place)), problems, False)
-        except StudyError as error:
-            problems += [f"{table.place('scene')}: {problem}" for problem in error.problems]
     bounds = read_bounds(judge_table, scene is not None and scene.answer is not None)
     judge_table.finish()
     if end is not None and bounds.error is not None and end < scene.answer.last:

@@ -97,6 +97,11 @@ class TableReader:
                     and len(set(value)) == len(value))
         return self._value(key, default, fits, f"a list of different whole numbers, each at least {at_least}")
 
+    def texts(self, key, default=REQUIRED):
+        def fits(value):
+            return isinstance(value, list) and all(isinstance(v, str) for v in value) and len(set(value)) == len(value)
+        return self._value(key, default, fits, "a list of different texts")
+
     def flag(self, key, default=REQUIRED):
         return self._value(key, default, lambda v: isinstance(v, bool), "true or false")
 
@@ -112,9 +117,9 @@ class TableReader:
         return [TableReader(table, self.file, self.problems, f"{key}[{number}]")
                 for number, table in enumerate(value or [], start=1)]
 
-    def named_tables(self, key):
-        """{name: TableReader} of the tables [key.NAME]; at least one must be there."""
-        value = self._value(key, REQUIRED, lambda v: isinstance(v, dict) and v and
+    def named_tables(self, key, required=True):
+        """{name: TableReader} of the tables [key.NAME]; where required, at least one must be there."""
+        value = self._value(key, REQUIRED if required else {}, lambda v: isinstance(v, dict) and v and
                             all(isinstance(t, dict) for t in v.values()), f"one or more tables [{key}.NAME]")
         return {name: TableReader(table, self.file, self.problems, f"{key}.{key_text(name)}")
                 for name, table in (value or {}).items()}

@@ -20,7 +20,7 @@ def points_csv(points):
 def markdown(study, points, rows):
     """The whole page. rows: those of the ledger that the points were made of, for the machine and the versions."""
     return "\n".join([f"# {study.title}", "", *_head(study, rows), "", *_point_table(study, points), "",
-                      *_level_tables(points)]) + "\n"
+                      *_failures(points), *_level_tables(points)]) + "\n"
 
 
 def _head(study, rows):
@@ -50,12 +50,17 @@ def _point_table(study, points):
     rows = []
     for variant, group in by_variant(points).items():
         for number, p in enumerate(group):
-            note = [f"FAILED: {p.failure}"] if p.failed else ["front"] if p.name in best else []
+            note = ["FAILED"] if p.failed else ["front"] if p.name in best else []
             note += [notes[variant]] if number == 0 and notes.get(variant) else []
             rows.append((variant, str(p.resolution), "" if p.failed else percent(p.error), seconds(p.wall), seconds(p.cpu),
                          "" if p.failed else f"{p.steps:.0f}", "" if p.failed else f"{p.memory / 1e6:.0f}",
                          "; ".join(note)))
     return _table(["variant", "across", "error", "wall (s)", "CPU (s)", "steps", "memory (MB)", "note"], rows)
+
+
+def _failures(points):
+    lines = [f"- {p.name}: {p.failure}" for p in points if p.failed]
+    return ["Failures:", "", *lines, ""] if lines else []
 
 
 def _level_tables(points):
