@@ -136,7 +136,7 @@ std::map<std::string, std::vector<double>, std::less<>> HarnessRun::sample(std::
                               quantity.columns == 0 ? "one" : fmt::format("rows of {}", quantity.columns)));
   }
   for (const auto& [name, sampled] : values)
-    if (std::ranges::none_of(member.plan.quantities(), [&](const Quantity& q) { return q.name == name; }))
+    if (std::ranges::none_of(member.plan.quantities(), [&name = name](const Quantity& q) { return q.name == name; }))
       throw Error(ExitCode::plugin_refused,
                   fmt::format("{} sampled '{}', which it did not plan: name it in plan()", who, name));
   return values;

@@ -1,5 +1,8 @@
 #include "output/hdf5.hpp"
 
+#include <atomic>
+#include <cstdint>
+#include <string>
 #include <utility>
 
 namespace mesogen::hdf5 {
@@ -95,7 +98,10 @@ Id create_in_memory() {
   const Id access = access_list();
   constexpr std::size_t growth = std::size_t{1} << 20;
   check(H5Pset_fapl_core(access.get(), growth, false), "use memory as a file");
-  return {H5Fcreate("memory", H5F_ACC_TRUNC, file_creation_list().get(), access.get()), H5Fclose,
+  // HDF5 refuses a second file of the same name while the first is open, in memory too.
+  static std::atomic<std::uint64_t> made = 0;
+  const std::string name = "memory " + std::to_string(made++);
+  return {H5Fcreate(name.c_str(), H5F_ACC_TRUNC, file_creation_list().get(), access.get()), H5Fclose,
           "make a file in memory"};
 }
 

@@ -64,7 +64,8 @@ void pack(const ResultsOptions& options, const ResultsContent& content) {
   const std::filesystem::path path = options.folder / "results.h5";
   try {
     // HDF5 cannot even close a file that it has no room to complete, so the room is taken before it begins.
-    write_unfinished(path, hdf5::image(hdf5::create_in_memory()), largest_size(options, content));
+    const std::uint64_t room = largest_size(options, content);
+    write_unfinished(path, hdf5::image(hdf5::create_in_memory()), room);
     hdf5::Id file = hdf5::open_to_write(temporary_name(path));
     write_structure(file, options, content, Layout::packed);
     fill(file, options, content);

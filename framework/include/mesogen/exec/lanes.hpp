@@ -33,13 +33,27 @@ template <class Real, class Abi>
 [[gnu::always_inline]] inline stdx::simd<Real, Abi> square_root(const stdx::simd<Real, Abi>& x) {
   return stdx::sqrt(x);
 }
-/// a where the condition holds, b elsewhere.
+/// The given lanes where x < limit, zero elsewhere.
+///
+/// By intrinsics where masks are registers of their own: assignment through such a mask does nothing when libstdc++ 12
+/// is compiled by clang.
 template <class Real, class Abi>
-[[gnu::always_inline]] inline stdx::simd<Real, Abi> select(const stdx::simd_mask<Real, Abi>& condition,
-                                                           const stdx::simd<Real, Abi>& a,
-                                                           const stdx::simd<Real, Abi>& b) {
-  stdx::simd<Real, Abi> result = b;
-  stdx::where(condition, result) = a;
+[[gnu::always_inline]] inline stdx::simd<Real, Abi> where_less(const stdx::simd<Real, Abi>& x,
+                                                               const stdx::simd<Real, Abi>& limit,
+                                                               const stdx::simd<Real, Abi>& given) {
+  using Lane = stdx::simd<Real, Abi>;
+#ifdef __AVX512F__
+  if constexpr (sizeof(Lane) == 64 && sizeof(Real) == 4) {
+    const __mmask16 less = _mm512_cmp_ps_mask(static_cast<__m512>(x), static_cast<__m512>(limit), _CMP_LT_OQ);
+    return Lane(_mm512_maskz_mov_ps(less, static_cast<__m512>(given)));
+  }
+  if constexpr (sizeof(Lane) == 64 && sizeof(Real) == 8) {
+    const __mmask8 less = _mm512_cmp_pd_mask(static_cast<__m512d>(x), static_cast<__m512d>(limit), _CMP_LT_OQ);
+    return Lane(_mm512_maskz_mov_pd(less, static_cast<__m512d>(given)));
+  }
+#endif
+  Lane result(Real(0));
+  stdx::where(x < limit, result) = given;
   return result;
 }
 
@@ -106,7 +120,7 @@ MESOGEN_HOST_DEVICE inline float square_root(float x) { return ::sqrtf(x); }
 MESOGEN_HOST_DEVICE inline double square_root(double x) { return ::sqrt(x); }
 MESOGEN_HOST_DEVICE inline float inverse_square_root(float x) { return 1.0F / ::sqrtf(x); }
 MESOGEN_HOST_DEVICE inline double inverse_square_root(double x) { return 1.0 / ::sqrt(x); }
-MESOGEN_HOST_DEVICE inline float select(bool condition, float a, float b) { return condition ? a : b; }
-MESOGEN_HOST_DEVICE inline double select(bool condition, double a, double b) { return condition ? a : b; }
+MESOGEN_HOST_DEVICE inline float where_less(float x, float limit, float given) { return x < limit ? given : 0.0F; }
+MESOGEN_HOST_DEVICE inline double where_less(double x, double limit, double given) { return x < limit ? given : 0.0; }
 
 }  // namespace mesogen::exec

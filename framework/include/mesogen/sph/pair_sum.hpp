@@ -48,7 +48,7 @@ struct Pair {
   }
   /// The given lane where j is within the support, zero elsewhere: for sums that the kernel does not weight.
   [[gnu::always_inline]] MESOGEN_HOST_DEVICE Lane inside(const Lane& x) const {
-    return exec::select(distance < Lane(radius), x, Lane(Real(0)));
+    return exec::where_less(distance, Lane(radius), x);
   }
 
  private:
