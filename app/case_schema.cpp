@@ -59,7 +59,7 @@ class SchemaBuilder {
       // The form for any other value has no word of its own: it is what the first form is not.
       Json condition = form.word ? Json{{"type", "object"}, {"properties", {{form.key, {{"const", *form.word}}}}}}
                                  : Json{{"type", "object"}, {"not", branches.front().condition}};
-      if (form.word && !form.unless_given) condition["required"] = {form.key};
+      if (form.word && !form.unless_given) condition["required"] = Json::array({form.key});
       branches.push_back({declared.section.name + "." + form.word.value_or("other"), condition, form.keys});
     }
     const auto& first = declared.forms.front();
@@ -80,8 +80,9 @@ class SchemaBuilder {
       auto keys = own;
       keys.front().parameter.choices({plugin.name}).doc(plugin.summary);
       keys.insert(keys.end(), plugin.keys.begin(), plugin.keys.end());
-      Json condition = {
-          {"type", "object"}, {"properties", {{"type", {{"const", plugin.name}}}}}, {"required", {"type"}}};
+      Json condition = {{"type", "object"},
+                        {"properties", {{"type", {{"const", plugin.name}}}}},
+                        {"required", Json::array({"type"})}};
       branches.push_back({std::string(to_string(kind)) + "." + plugin.name, condition, keys});
       if (!table_schema(plugin.keys).contains("required")) by_name.push_back(plugin.name);
     }
@@ -99,7 +100,7 @@ class SchemaBuilder {
   /// not follow them find the keys by `anyOf`, which lets everything pass.
   Json choice_schema(const DeclaredKey& chooser, const std::vector<Branch>& branches) {
     Json conditions = Json::array();
-    Json all = {Json::object()};
+    Json all = Json::array({Json::object()});
     for (const auto& branch : branches) {
       definitions_[branch.name] = table_schema(branch.keys);
       const Json reference = {{"$ref", "#/definitions/" + branch.name}};
@@ -107,7 +108,7 @@ class SchemaBuilder {
       all.push_back(reference);
     }
     Json schema = {{"type", "object"}, {"properties", {{chooser.parameter.name, key_schema(chooser)}}}};
-    if (chooser.parameter.is_required) schema["required"] = {chooser.parameter.name};
+    if (chooser.parameter.is_required) schema["required"] = Json::array({chooser.parameter.name});
     if (!branches.empty()) schema["allOf"] = conditions;
     schema["anyOf"] = all;
     return schema;

@@ -5,6 +5,8 @@
 #include <limits>
 #include <stdexcept>
 
+#include "mesogen/exec/blocks.hpp"
+
 namespace mesogen {
 
 namespace {
@@ -15,14 +17,17 @@ constexpr double most = std::numeric_limits<double>::max();
 template <class T>
 double largest_square(const FieldView<T>& field, int components, Index count) {
   double largest = 0.0;
+  const exec::Blocks blocks(count);
 #pragma omp parallel for schedule(static) reduction(max : largest)
-  for (Index i = 0; i < count; ++i) {
-    double square = 0.0;
-    for (int c = 0; c < components; ++c) {
-      const auto value = static_cast<double>(field(c, i));
-      square += value * value;
+  for (Index block = 0; block < blocks.number(); ++block) {
+    for (Index i = blocks.begin(block); i < blocks.end(block); ++i) {
+      double square = 0.0;
+      for (int c = 0; c < components; ++c) {
+        const auto value = static_cast<double>(field(c, i));
+        square += value * value;
+      }
+      largest = square <= most ? std::max(largest, square) : HUGE_VAL;
     }
-    largest = square <= most ? std::max(largest, square) : HUGE_VAL;
   }
   return largest;
 }
@@ -61,21 +66,24 @@ Integrator::Largest Integrator::advance(const Advanced& one, Field& from, double
   const FieldView<Real> rate = one.rate->view<Real>();
   double largest_value = 0.0;
   double largest_rate = 0.0;
+  const exec::Blocks blocks(count);
 #pragma omp parallel for schedule(static) reduction(max : largest_value, largest_rate)
-  for (Index i = 0; i < count; ++i) {
-    double value_square = 0.0;
-    double rate_square = 0.0;
-    for (int c = 0; c < Components; ++c) {
-      const auto slope = static_cast<double>(rate(c, i));
-      const double value = before(c, i) + by * slope;
-      exact(c, i) = value;
-      rounded(c, i) = static_cast<Real>(value);
-      value_square += value * value;
-      rate_square += slope * slope;
+  for (Index block = 0; block < blocks.number(); ++block) {
+    for (Index i = blocks.begin(block); i < blocks.end(block); ++i) {
+      double value_square = 0.0;
+      double rate_square = 0.0;
+      for (int c = 0; c < Components; ++c) {
+        const auto slope = static_cast<double>(rate(c, i));
+        const double value = before(c, i) + by * slope;
+        exact(c, i) = value;
+        rounded(c, i) = static_cast<Real>(value);
+        value_square += value * value;
+        rate_square += slope * slope;
+      }
+      // A comparison with NaN is false: what is not a number counts as infinite.
+      largest_value = value_square <= most ? std::max(largest_value, value_square) : HUGE_VAL;
+      largest_rate = rate_square <= most ? std::max(largest_rate, rate_square) : HUGE_VAL;
     }
-    // A comparison with NaN is false: what is not a number counts as infinite.
-    largest_value = value_square <= most ? std::max(largest_value, value_square) : HUGE_VAL;
-    largest_rate = rate_square <= most ? std::max(largest_rate, rate_square) : HUGE_VAL;
   }
   ++one.field->version;
   return {std::sqrt(largest_value), std::sqrt(largest_rate)};
@@ -100,7 +108,7 @@ Integrator::Largest Integrator::advance(const Advanced& one, Field& from, double
 
 template <class Real>
 bool Integrator::move(double by, double shift_by) {
-  const Index count = world_.particles.count();
+  const exec::Blocks blocks(world_.particles.count());
   int bad = 0;
   const FieldView<double> velocity = velocity_->master();
   const FieldView<Real> shift = shift_ == nullptr ? FieldView<Real>{} : shift_->view<Real>();
@@ -109,9 +117,11 @@ bool Integrator::move(double by, double shift_by) {
     const double* const u = velocity.component(d);
     const Real* const s = shift_ == nullptr || shift_by == 0.0 ? nullptr : shift.component(d);
 #pragma omp parallel for schedule(static) reduction(| : bad)
-    for (Index i = 0; i < count; ++i) {
-      position[i] += by * u[i] + (s == nullptr ? 0.0 : shift_by * static_cast<double>(s[i]));
-      bad |= static_cast<int>(!(std::abs(position[i]) <= most));
+    for (Index block = 0; block < blocks.number(); ++block) {
+      for (Index i = blocks.begin(block); i < blocks.end(block); ++i) {
+        position[i] += by * u[i] + (s == nullptr ? 0.0 : shift_by * static_cast<double>(s[i]));
+        bad |= static_cast<int>(!(std::abs(position[i]) <= most));
+      }
     }
   }
   return bad == 0;

@@ -46,10 +46,9 @@ class Storage(CommandTest):
     def test_disk_that_is_full(self):
         # A limit on the size of files meets results.h5 when it has grown; the answer of a full disk is the same but for
         # its first words.
-        def limit():
-            resource.setrlimit(resource.RLIMIT_FSIZE, (80000, resource.RLIM_INFINITY))
-
-        process = self.start("run", self.write_case(LONG), "--output", "out", preexec_fn=limit)
+        process = self.start("run", self.write_case(LONG), "--output", "out")
+        self.wait_for(process, "out")
+        resource.prlimit(process.pid, resource.RLIMIT_FSIZE, (80000, resource.RLIM_INFINITY))
         err = self.failure(process)
         self.assertRegex(err, r"error: cannot write out/(results|checkpoint_[ab])\.\w+: File too large; what was written "
                               r"before is safe: make room, then `mesogen resume` continues the run\n$")

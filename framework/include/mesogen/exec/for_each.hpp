@@ -1,5 +1,6 @@
 #pragma once
 
+#include "mesogen/exec/blocks.hpp"
 #include "mesogen/exec/first_failure.hpp"
 #include "mesogen/export.hpp"
 #include "mesogen/field/view.hpp"
@@ -23,7 +24,8 @@ __global__ void run_for_each(Index count, Function function) {
 #endif
 
 /// function(i) for every i in [0, count), in any order. `function` is trivially copyable and writes only what belongs
-/// to i, so the result does not depend on the order. On the host it may throw; what the first one threw comes out.
+/// to i, so the result does not depend on the order. On the host it may throw; what the first one threw comes out, and
+/// some are left out then.
 template <class Function>
 void for_each(const Space& space, Index count, const Function& function) {
 #ifdef __CUDACC__
@@ -37,10 +39,11 @@ void for_each(const Space& space, Index count, const Function& function) {
   (void)space;
 #endif
   FirstFailure failure;
+  const Blocks blocks(count);
 #pragma omp parallel for schedule(static)
-  for (Index i = 0; i < count; ++i) {
+  for (Index block = 0; block < blocks.number(); ++block) {
     try {
-      function(i);
+      for (Index i = blocks.begin(block); i < blocks.end(block); ++i) function(i);
     } catch (...) {
       failure.keep();
     }
