@@ -81,6 +81,10 @@ class WrongCases(CommandTest):
     def test_unknown_kernel(self):
         self.refused(CASE.replace('"quintic"', '"quintik"'), "kernel.type", 'did you mean "quintic"?')
 
+    def test_feedback_without_a_filter(self):
+        self.refused(CASE.replace("viscosity = 0.5", "viscosity = 0.5\nfilter_feedback = true"), "case.toml:13",
+                     "filter_feedback needs a filter: set density_filter above 0, such as density_filter = 1.0")
+
     def test_support_beyond_half_the_box(self):
         self.refused(CASE.replace("1.3333", "40.0"), "smoothing_length", "case.toml:9")
 

@@ -46,7 +46,7 @@ class Check(CommandTest):
                      "can be run"):
             self.assertIn(part, out)
         self.assertRegex(out, r"(?m)^  steps +\d+ or more$")
-        self.assertRegex(out, r"(?m)^  wall time +\S+ (s|min) or more with 1 thread: \S+ ms a step \(from \d+ steps\)$")
+        self.assertRegex(out, r"(?m)^  wall time +\S+ (s|min) or more with \d threads?: \S+ ms a step \(from \d+ steps\)$")
         self.assertRegex(out, r"(?m)^  memory +\S+ MB$")
         self.assertRegex(out, r"(?m)^  disk +\S+ MB: 3 frames of \S+ MB, two checkpoints of \S+ MB$")
         self.assertRegex(out, r"(?m)^  sound: .* s   binds$")

@@ -28,71 +28,89 @@ struct Continuity {
   }
 };
 
-/// Density filter and particle shifting share a pass over the pairs.
-///
-/// Filter (Shepard; Ozbulut et al. 2020): c - beta sum_j (c_i - c_j) W_ij / sum_j W_ij.
-/// Shift (artificial particle displacement; Shadloo et al. 2011, Ozbulut et al. 2017), as a velocity:
-///   sum_j r_ij / r_ij^3 r0^2 s,   r0 = mean distance of neighbours,
-/// where the speed s is as published |sum_j (u_i - u_j) W_ij| / sum_j W_ij, or, with `ByStrain`, h |grad u|: particles
-/// are drawn out most along the lines toward stagnation points, and there the published one vanishes.
-template <class Real, int Dim, bool ByStrain>
-struct FilterAndShift {
-  static constexpr int sum_count = 4 + (ByStrain ? 1 : 2) * Dim;
-  enum Sum { weight, weighted_compression, neighbours, distances, push, weighted_velocity = push + Dim };
+/// Shepard filter (Ozbulut et al. 2020): c - beta sum_j (c_i - c_j) W_ij / sum_j W_ij. The pressure does not see what
+/// it takes away, so nothing pushes back against it and it grows: see docs/stability.md.
+template <class Real>
+struct DensityFilter {
+  static constexpr int sum_count = 2;
+  enum Sum { weight, weighted_difference };
 
   FieldView<const Real> compression;
-  FieldView<const Real> velocity;           // empty with ByStrain
-  FieldView<const Real> velocity_gradient;  // empty without
-  FieldView<Real> filtered;                 // empty: no filter
-  FieldView<Real> shift;                    // empty: no shift
-  Real beta, shift_strength;
-  Real smoothing_length;  // distances are taken in it: 1 / r^3 of the particle itself must not overflow
+  FieldView<Real> filtered;
+  Real beta;
 
-  struct Own {
-    Real compression;
-    Real velocity[Dim];
-  };
-  MESOGEN_HOST_DEVICE Own load(Index i) const {
-    Own own{compression(i), {}};
-    if constexpr (!ByStrain)
-      for (int d = 0; d < Dim; ++d) own.velocity[d] = velocity(d, i);
-    return own;
-  }
+  using Own = Real;
+  MESOGEN_HOST_DEVICE Own load(Index i) const { return compression(i); }
 
   template <class Pair, class Lane>
   [[gnu::always_inline]] MESOGEN_HOST_DEVICE void pair(const Own& own, const Pair& p, Lane* sum) const {
     const Lane w = p.value();
     sum[weight] = sum[weight] + w;
-    sum[weighted_compression] = sum[weighted_compression] + w * (p.load(compression) - Lane(own.compression));
+    sum[weighted_difference] = sum[weighted_difference] + w * (p.load(compression) - Lane(own));
+  }
+
+  MESOGEN_HOST_DEVICE void finish(Index i, const Own& own, const Real* sum) const {
+    filtered(i) = own + beta * sum[weighted_difference] / sum[weight];
+  }
+};
+
+/// Particle shifting (artificial particle displacement; Shadloo et al. 2011, Ozbulut et al. 2017), as a velocity:
+///   sum_j r_ij / r_ij^3 r0^2 s,   r0 = mean distance of neighbours,
+/// where the speed s is h |grad u|, or as published (`BySpread`) |sum_j (u_i - u_j) W_ij| / sum_j W_ij: particles are
+/// drawn out most along the lines toward stagnation points, and there the published one vanishes.
+template <class Real, int Dim, bool BySpread>
+struct Shift {
+  static constexpr int sum_count = 2 + Dim + (BySpread ? 1 + Dim : 0);
+  enum Sum { neighbours, distances, push, weight = push + Dim, weighted_velocity };
+
+  FieldView<const Real> velocity;           // empty unless BySpread
+  FieldView<const Real> velocity_gradient;  // empty with BySpread
+  FieldView<Real> shift;
+  Real strength;
+  Real smoothing_length;  // distances are taken in it: 1 / r^3 of the particle itself must not overflow
+
+  struct Own {
+    Real velocity[Dim];
+  };
+  MESOGEN_HOST_DEVICE Own load(Index i) const {
+    Own own{};
+    if constexpr (BySpread)
+      for (int d = 0; d < Dim; ++d) own.velocity[d] = velocity(d, i);
+    return own;
+  }
+
+  template <class Pair, class Lane>
+  [[gnu::always_inline]] MESOGEN_HOST_DEVICE void pair([[maybe_unused]] const Own& own, const Pair& p,
+                                                       Lane* sum) const {
     const Lane inverse = p.inside(p.inverse_distance * smoothing_length);
     sum[neighbours] = sum[neighbours] + p.inside(Lane(Real(1)));
     sum[distances] = sum[distances] + p.inside(p.distance);
     const Lane cube = inverse * inverse * inverse;
-    exec::unroll<Dim>([&](auto d) {
-      sum[push + d] = sum[push + d] + cube * p.separation[d];
-      if constexpr (!ByStrain)
+    exec::unroll<Dim>([&](auto d) { sum[push + d] = sum[push + d] + cube * p.separation[d]; });
+    if constexpr (BySpread) {
+      const Lane w = p.value();
+      sum[weight] = sum[weight] + w;
+      exec::unroll<Dim>([&](auto d) {
         sum[weighted_velocity + d] = sum[weighted_velocity + d] + w * (Lane(own.velocity[d]) - p.load(velocity, d));
-    });
+      });
+    }
   }
 
-  MESOGEN_HOST_DEVICE void finish(Index i, const Own& own, const Real* sum) const {
-    const Real per_weight = Real(1) / sum[weight];
-    if (filtered) filtered(i) = own.compression + beta * sum[weighted_compression] * per_weight;
-    if (!shift) return;
+  MESOGEN_HOST_DEVICE void finish(Index i, const Own&, const Real* sum) const {
     Real square = Real(0);
     Real speed;
-    if constexpr (ByStrain) {
+    if constexpr (BySpread) {
+      for (int d = 0; d < Dim; ++d) square += sum[weighted_velocity + d] * sum[weighted_velocity + d];
+      speed = exec::square_root(square) / sum[weight];
+    } else {
       for (int c = 0; c < Dim * Dim; ++c) square += velocity_gradient(c, i) * velocity_gradient(c, i);
       speed = smoothing_length * exec::square_root(square);
-    } else {
-      for (int d = 0; d < Dim; ++d) square += sum[weighted_velocity + d] * sum[weighted_velocity + d];
-      speed = exec::square_root(square) * per_weight;
     }
     // The particle itself was counted, at distance zero.
     const Real others = sum[neighbours] - Real(1);
     const Real mean_distance = others > Real(0) ? sum[distances] / others : Real(0);
     const Real relative = mean_distance / smoothing_length;
-    const Real scale = shift_strength * relative * relative * speed / smoothing_length;
+    const Real scale = strength * relative * relative * speed / smoothing_length;
     for (int d = 0; d < Dim; ++d) shift(d, i) += scale * sum[push + d];
   }
 };

@@ -83,7 +83,7 @@ TEST(Wcsph, PressureIsTaitsAndLosesNoDigits) {
   const PhysicsUnderTest flow("wcsph", {{"density", 2.0}, {"viscosity", 0.1}, {"sound_speed", 3.0}});
   for (const double c : {-0.02, 1e-12, 1e-3, 0.3}) {
     FakePassContext context(1);
-    context.set("compression_filtered", {c});
+    context.set("compression_midpoint", {c});
     context.set("pressure", {0.0});
     context.set("pressure_term", {0.0});
     flow.run("equation of state", context);

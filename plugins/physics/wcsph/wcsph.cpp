@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 
+#include "mesogen/diagnostics/error.hpp"
 #include "mesogen/plugin/physics.hpp"
 #include "mesogen/plugin/plugin.hpp"
 #include "passes.hpp"
@@ -54,9 +55,11 @@ class Wcsph final : public Physics {
         .unit("1")
         .at_least(0)
         .at_most(1)
-        .doc("beta of the Shepard filter of the density that the pressure is made from; 0: none");
+        .doc(
+            "beta of the Shepard filter of the density that the pressure is made from, 1 as published; 0: none. What "
+            "it hides from the pressure grows");
     list.flag("filter_feedback", feedback_)
-        .doc("put the filtered density back into the density; hides volume drift, for the study of failures");
+        .doc("put the density of density_filter back into the density; hides volume drift, for the study of failures");
     list.number("shift", shift_)
         .unit("1")
         .at_least(0)
@@ -91,6 +94,10 @@ class Wcsph final : public Physics {
   // c0^2 >= max(100 u^2, stress / (rho delta), mu u / (rho L delta)) (Morris et al. 1997); above that it may rise at no
   // cost until the acoustic limit on the step meets the viscous one.
   void prepare(const Scene& scene) override {
+    if (feedback_ && filter_ == 0.0)
+      throw Error(ExitCode::bad_case,
+                  "filter_feedback needs a filter: set density_filter above 0, such as density_filter = 1.0, or leave "
+                  "filter_feedback out");
     const double speed = scene.scales.speed;
     const double length = *std::min_element(scene.box.begin(), scene.box.begin() + Dim);
     const double square = std::max({100.0 * speed * speed, scene.scales.stress / (density_ * density_variation_),
@@ -108,14 +115,9 @@ class Wcsph final : public Physics {
     list.flows({"velocity", "shift_velocity", shift_carries_fields_, fixed});
     continuity(list);
     const bool filters = filter_ > 0.0;
-    const bool shifts = shift_ > 0.0 && !fixed;
-    if (filters || shifts) {
-      // Without a shift the form that reads less.
-      if (shifts && shift_speed_ == "spread") {
-        filter_and_shift<false>(list, filters, shifts);
-      } else {
-        filter_and_shift<true>(list, filters, shifts);
-      }
+    if (filters) density_filter(list);
+    if (shift_ > 0.0 && !fixed) {
+      shift_speed_ == "spread" ? shift<true>(list) : shift<false>(list);
     }
     const std::string compression = filters ? "compression_filtered" : "compression_midpoint";
     list.pass("equation of state")
@@ -207,22 +209,30 @@ class Wcsph final : public Physics {
         });
   }
 
-  template <bool ByStrain>
-  void filter_and_shift(PassList& list, bool filters, bool shifts) {
-    Pass& pass = list.pass("density filter and shift").reads_neighbours({"compression_midpoint"});
-    if constexpr (!ByStrain) pass.reads_neighbours({"velocity"});
-    if (ByStrain && shifts) pass.reads({"velocity_gradient"});
-    if (filters) pass.writes({"compression_filtered"});
-    if (shifts) pass.accumulates({"shift_velocity"});
-    pass.run([this, filters, shifts](const PassContext& context) {
-      wcsph::FilterAndShift<Real, Dim, ByStrain> sums{};
-      sums.compression = context.read<Real>("compression_midpoint");
-      if constexpr (!ByStrain) sums.velocity = context.read<Real>("velocity");
-      if (ByStrain && shifts) sums.velocity_gradient = context.read<Real>("velocity_gradient");
-      if (filters) sums.filtered = context.write<Real>("compression_filtered");
-      if (shifts) sums.shift = context.write<Real>("shift_velocity");
-      sums.beta = Real(filter_);
-      sums.shift_strength = Real(shift_);
+  void density_filter(PassList& list) {
+    list.pass("density filter")
+        .reads_neighbours({"compression_midpoint"})
+        .writes({"compression_filtered"})
+        .run([this](const PassContext& context) {
+          sph::pair_sum(context.space(), context.neighbours<Real, Dim>(), context.kernel(),
+                        wcsph::DensityFilter<Real>{context.read<Real>("compression_midpoint"),
+                                                   context.write<Real>("compression_filtered"), Real(filter_)});
+        });
+  }
+
+  template <bool BySpread>
+  void shift(PassList& list) {
+    Pass& pass = list.pass("shift").accumulates({"shift_velocity"});
+    BySpread ? pass.reads_neighbours({"velocity"}) : pass.reads({"velocity_gradient"});
+    pass.run([this](const PassContext& context) {
+      wcsph::Shift<Real, Dim, BySpread> sums{};
+      if constexpr (BySpread) {
+        sums.velocity = context.read<Real>("velocity");
+      } else {
+        sums.velocity_gradient = context.read<Real>("velocity_gradient");
+      }
+      sums.shift = context.write<Real>("shift_velocity");
+      sums.strength = Real(shift_);
       sums.smoothing_length = Real(context.scene().smoothing_length);
       sph::pair_sum(context.space(), context.neighbours<Real, Dim>(), context.kernel(), sums);
     });
@@ -259,7 +269,7 @@ class Wcsph final : public Physics {
   double density_variation_ = 0.01;
   std::string pressure_form_ = "corrected";
   double diffusion_ = 0.0;
-  double filter_ = 1.0;
+  double filter_ = 0.0;
   bool feedback_ = false;
   double shift_ = 0.3;
   std::string shift_speed_ = "strain";
@@ -273,6 +283,5 @@ class Wcsph final : public Physics {
 
 }  // namespace
 
-MESOGEN_PHYSICS_PLUGIN(
-    Wcsph, "wcsph", "1.0.0",
-    "Weakly compressible flow: continuity, Tait pressure, viscosity, density filter, particle shifting")
+MESOGEN_PHYSICS_PLUGIN(Wcsph, "wcsph", "1.0.0",
+                       "Weakly compressible flow: continuity, Tait pressure, viscosity, particle shifting")
