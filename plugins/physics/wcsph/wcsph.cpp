@@ -177,7 +177,8 @@ class Wcsph final : public Physics {
         .stays_within(
             -0.3, 0.3,
             "If the flow is faster than a tenth of the sound, raise sound_speed (or expected_speed, where that is "
-            "\"auto\"); else leave the shift on and time.scheme at \"midpoint\", or take a smaller step (time.factor = "
+            "\"auto\"); else leave the shift on, density_filter at 0 and time.scheme at \"midpoint\", or take a "
+            "smaller step (time.factor = "
             "0.5)");
     list.field("compression_rate", Rank::scalar).unit("1/s").doc("D(rho / rho0)/Dt");
     list.field("compression_midpoint", Rank::scalar).doc("rho / rho0 - 1 at the midpoint of the step");
