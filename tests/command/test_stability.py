@@ -53,6 +53,14 @@ class Boundaries(CommandTest):
         self.assert_sides("filter_feedback", "feedback", 0.1, 12.0, 30.0, "volume")
         self.assertEqual(self.verdict("filter_feedback", "no_feedback", 0.1, 30.0), ("", ""))  # the remedy
 
+    def test_an_activity_too_strong_for_the_density_filter(self):
+        self.assert_sides("activity_extensile", "density_filter", 0.2, 0.12, 0.2, "density")
+        self.assertEqual(self.verdict("activity_extensile", "expected_0_4", 0.2, 0.2), ("", ""))  # the remedy
+
+    def test_a_viscosity_too_low_for_the_density_filter(self):
+        self.assert_sides("reynolds_number", "density_filter", 0.05, 0.009, 0.004, "density", "energy")
+        self.assertEqual(self.verdict("reynolds_number", "default", 0.05, 0.004), ("", ""))  # the remedy
+
     def test_reynolds_number(self):
         self.assert_sides("reynolds_number", "half_steps", 0.05, 0.04, 0.015, "density", "energy")
         self.assertEqual(self.verdict("reynolds_number", "default", 0.05, 0.015), ("", ""))  # the remedy
