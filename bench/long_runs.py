@@ -4,11 +4,12 @@
     bench/long_runs.py build/release/bin/mesogen [--across 24] [--steps 100000] [-o docs/accuracy/long_runs.md]
 
 Volumes of particles tell how evenly the shift keeps them spread; momentum, which nature conserves, what each form of the
-forces adds; density how weakly the fluid is compressed. All are sampled every 250 steps. About one minute a form with
+forces adds; density how weakly the fluid is compressed. All are sampled 400 times. About one minute a form with
 24 x 24 particles, one thread each.
 """
 
 import argparse
+import json
 import os
 import subprocess
 import sys
@@ -66,23 +67,32 @@ def run_form(mesogen, changes, across, end, folder, threads):
     words = [word for setting in settings for word in ("--set", setting)]
     done = subprocess.run([mesogen, "run", CASE, *words, "--threads", str(threads), "--quiet", "--output", folder],
                           check=False, capture_output=True, text=True)
-    return done.stderr.strip() if done.returncode else results.open(folder)
+    if done.returncode != 0:
+        return (done.stderr.strip().splitlines() or [f"exit code {done.returncode}"])[-1]
+    return results.open(folder)
+
+
+def step_of_default(mesogen, across):
+    """Size of the default's step, s."""
+    done = subprocess.run([mesogen, "check", CASE, "--set", f"particles.spacing={EDGE / across!r}", "--quick", "--json"],
+                          check=True, capture_output=True, text=True)
+    return json.loads(done.stdout)["steps"]["step"]
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("mesogen")
-    parser.add_argument("--across", type=int, default=24)
-    parser.add_argument("--steps", type=int, default=100_000)
-    parser.add_argument("--threads", type=int, default=1)
+    parser.add_argument("--across", type=int, default=24, help="particles along each edge of the box")
+    parser.add_argument("--steps", type=int, default=100_000, help="of the default; other forms go to the same time")
+    parser.add_argument("--threads", type=int, default=1, help="of each run")
     parser.add_argument("-o", "--output", help="file to write (default: print)")
     options = parser.parse_args()
     mesogen = os.path.abspath(options.mesogen)
-    # The default's step is 0.25 h / c0 of the quintic: 0.0414 s at 24 across, shorter in proportion at finer ones.
-    end = options.steps * 0.0414086652 * 24 / options.across
+    end = options.steps * step_of_default(mesogen, options.across)
     lines = ["# What a long run keeps", "",
              f"The deterministic benchmark, {options.across} x {options.across} particles, goes on to t = {end:.0f} s: "
-             "from about 50 s on it is chaotic. Made by `bench/long_runs.py`.", "",
+             "from about 50 s on it is chaotic. The rms of the volumes is over all particles of the second half, means are over "
+             "the last three quarters. Made by `bench/long_runs.py`.", "",
              "| form | steps | volumes: rms, % | mean extremes, % | extremes ever, % | nearest two ever, dx | density ever, % | "
              "momentum / (mass x largest v_rms) | v_rms, m/s |", "|---|---|---|---|---|---|---|---|---|"]
     for name, changes in FORMS:
@@ -90,7 +100,7 @@ def main():
         with tempfile.TemporaryDirectory(prefix="mesogen-") as folder:
             run = run_form(mesogen, changes, options.across, end, os.path.join(folder, "run"), options.threads)
             if isinstance(run, str):
-                lines.append(f"| {name} | stopped: {run.splitlines()[-1]} | | | | | | | |")
+                lines.append(f"| {name} | stopped: {run} | | | | | | | |")
             else:
                 with run:
                     lines.append(row(name, run))

@@ -76,7 +76,7 @@ void StepGraph::add_advection() {
     transport_.shift.clear();
   if (!transport_.advects()) return;
   for (const auto& [name, entry] : catalogue_.all()) {
-    // A shift carries no density: continuity and the filter keep that even, and its gradient would cost a pass.
+    // A shift carries no density: continuity keeps that even, and its gradient would cost a pass.
     const Advance advance = entry.declaration.advance;
     if (advance == Advance::never || (advance != Advance::predicted && !transport_.fixed)) continue;
     Work work;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "mesogen/diagnostics/error.hpp"
+#include "mesogen/exec/blocks.hpp"
 #include "simulation/closest_pair.hpp"
 #include "simulation/rounded_text.hpp"
 #include "sph/lattice.hpp"
@@ -78,11 +79,14 @@ bool is_outside(Field& field, Index count, double lowest, double highest) {
     return outside != 0;
   }
   const int components = field.components();
+  const exec::Blocks blocks(count);
 #pragma omp parallel for schedule(static) reduction(| : outside)
-  for (Index i = 0; i < count; ++i) {
-    Real square(0);
-    for (int c = 0; c < components; ++c) square += view(c, i) * view(c, i);
-    outside |= static_cast<int>(!(square <= high * high)) | static_cast<int>(low > Real(0) && !(square >= low * low));
+  for (Index block = 0; block < blocks.number(); ++block) {
+    for (Index i = blocks.begin(block); i < blocks.end(block); ++i) {
+      Real square(0);
+      for (int c = 0; c < components; ++c) square += view(c, i) * view(c, i);
+      outside |= static_cast<int>(!(square <= high * high)) | static_cast<int>(low > Real(0) && !(square >= low * low));
+    }
   }
   return outside != 0;
 }

@@ -65,6 +65,14 @@ class Drawing(synthetic.FolderTest):
             for share in range(101):
                 self.assertFalse(box.contains(*axes.transData.transform((share / 100, share / 100))))
 
+    def test_a_long_legend_stays_on_the_page(self):
+        for module in (error_cost, error_resolution):
+            with look.settings():
+                page = module.draw("Title", "scene", many(variants=26))
+                page.canvas.draw()
+                box = page.axes[0].get_legend().get_window_extent()
+            self.assertGreater(box.y0, 0.0, module.__name__)
+
     def test_failures_are_crosses(self):
         with look.settings():
             axes = error_resolution.draw("Title", "scene", many()).axes[0]

@@ -10,60 +10,8 @@ import subprocess
 import time
 import unittest
 
-from support import MESOGEN, CommandTest
-
-# A sound speed and limits so mild that a run takes a tenth of a second.
-CASE = """\
-[domain]
-size = [1.0, 1.0]
-boundary = "periodic_wrap"
-[particles]
-spacing = 0.1
-[kernel]
-type = "quintic"
-[velocity]
-type = "modes"
-modes = [[1, 0, 0.15915494309189535, 0.0]]
-[physics.flow]
-type = "wcsph"
-density = 1.0
-viscosity = 0.05
-[time]
-end = 0.2
-[observers.flow]
-type = "flow_statistics"
-interval = 0.1
-[run]
-precision = "double"
-"""
-
-ANSWER = """\
-title = "Shear wave"
-source = "exact: v_rms = exp(-nu k^2 t) / sqrt(2)"
-across = 1.0
-[[quantity]]
-series = "flow.v_rms"
-measure = "value"
-at = [0.2]
-exact = [0.476438]
-"""
-
-STUDY = """\
-title = "A small study"
-kind = "accuracy"
-scene = "scene"
-resolutions = [8, 12, 16]
-repeats = 2
-[common]
-"time.factor" = 0.5
-[variant.default]
-[variant.wendland_c2]
-note = "another kernel"
-"kernel.type" = "wendland_c2"
-[variant.short]
-resolutions = [8]
-"time.end" = 0.2
-"""
+from chart_case import CASE, STUDY, ChartTest
+from support import MESOGEN
 
 FAILS = """\
 [variant.runs_away]
@@ -71,37 +19,6 @@ resolutions = [8]
 "time.factor" = 30.0
 "time.end" = 20.0
 """
-
-
-class ChartTest(CommandTest):
-    def setUp(self):
-        super().setUp()
-        os.mkdir(self.path("scene"))
-        self.write(CASE, "scene/case.toml")
-        self.write(ANSWER, "scene/answer.toml")
-        self.write(STUDY, "study.toml")
-
-    def write(self, text, name):
-        with open(self.path(*name.split("/")), "w", encoding="utf-8") as file:
-            file.write(text)
-
-    def read(self, *parts):
-        with open(self.path(*parts), encoding="utf-8") as file:
-            return file.read()
-
-    def runs(self):
-        with open(self.path("out", "runs.csv"), encoding="utf-8", newline="") as file:
-            return list(csv.DictReader(file))
-
-    def chart(self, *arguments, **more):
-        return self.mesogen("chart", "study.toml", "--output", "out", *arguments, **more)
-
-    def refusal(self, study):
-        self.write(study, "study.toml")
-        out, err = self.chart(code=2)
-        self.assertEqual(out, "")
-        self.assertFalse(os.path.exists(self.path("out", "runs.csv")))
-        return err
 
 
 class Chart(ChartTest):
@@ -221,13 +138,12 @@ class Chart(ChartTest):
         self.assertNotIn("defaults", self.read("out", "table.md"))
         text = self.read("out", "runs.csv")
         self.assertEqual(text.count(", defaults "), 2)
-        self.write(re.sub(", defaults [0-9a-f]+", "", text), "out/runs.csv")  # as an older version wrote it
-        self.assertEqual(self.chart("--only", "short")[1], "")
-        self.write(re.sub(", defaults [0-9a-f]+", ", defaults 0123456789ab", text), "out/runs.csv")
-        self.assertEqual(self.chart("--draw-only", "--only", "short", code=2)[1],
-                         "error: out: nothing has run yet; leave out --draw-only\n")
-        self.assertIn("short 8 runs again: ", self.chart("--only", "short")[1])
-        self.assertEqual(len(self.runs()), 4)
+        for other in (", defaults 0123456789ab", ""):  # of another version, or not told
+            self.write(re.sub(", defaults [0-9a-f]+", other, text), "out/runs.csv")
+            self.assertEqual(self.chart("--draw-only", "--only", "short", code=2)[1],
+                             "error: out: nothing has run yet; leave out --draw-only\n")
+            self.assertIn("short 8 runs again: ", self.chart("--only", "short")[1])
+            self.assertEqual(len(self.runs()), 4)
 
     def test_a_failure_is_a_point(self):
         self.write(STUDY + FAILS, "study.toml")
@@ -257,95 +173,6 @@ class Chart(ChartTest):
             fcntl.flock(lock, fcntl.LOCK_EX)
             _, err = self.chart(code=2)
         self.assertEqual(err, "error: another study is writing into out; choose another folder with --output, or wait\n")
-
-
-class Refusals(ChartTest):
-    """Studies and answers that are wrong."""
-
-    def test_no_study(self):
-        _, err = self.mesogen("chart", "nothing.toml", code=2)
-        self.assertEqual(err, "error: nothing.toml: the study cannot be read: No such file or directory\n")
-
-    def test_no_toml(self):
-        self.assertRegex(self.refusal("title = \n"), r"^error: study\.toml: the study is not TOML: .*line 1")
-
-    def test_kinds(self):
-        self.assertEqual(self.refusal(STUDY.replace('"accuracy"', '"acuracy"')),
-                         "error: study.toml: kind: 'acuracy' is none of: accuracy, stability; did you mean 'accuracy'?\n")
-        self.assertEqual(self.refusal(STUDY.replace('kind = "accuracy"', "")),
-                         "error: study.toml: kind: is missing; it is one of: accuracy, stability\n")
-
-    def test_all_that_is_wrong_at_once(self):
-        wrong = STUDY.replace("repeats = 2", 'repeat = 2\nthreads = 0\nresolutions = [8, 8]').replace("resolutions = [8, 12, 16]\n", "")
-        wrong += '"kernel" = { type = "quintic" }\nfactor = 1\n"particles.spacing" = 0.1\n"time.step" = nan\n'
-        self.assertEqual(self.refusal(wrong).splitlines(), [
-            "errors:",
-            "study.toml: resolutions: must be a list of different whole numbers, each at least 2",
-            "study.toml: threads: must be a whole number, at least 1",
-            'study.toml: variant.short.kernel: is a table; write its keys as one dotted, quoted key each, as for --set: '
-            '"kernel.KEY" = VALUE',
-            'study.toml: variant.short.factor: is no dotted key of a case such as "kernel.type", nor is it one of: note, '
-            "resolutions",
-            'study.toml: variant.short."time.step": must be a number, a text, true or false, or a list of them',
-            'study.toml: variant.short."particles.spacing": is chosen by the resolutions; leave it out',
-            "study.toml: repeat: no such key; did you mean 'repeats'?",
-        ])
-
-    def test_no_variant(self):
-        self.assertEqual(self.refusal(STUDY[: STUDY.index("[variant")]),
-                         "error: study.toml: variant: is missing; it is one or more tables [variant.NAME]\n")
-
-    def test_variants_of_a_file(self):
-        self.write('[variant.wendland_c4]\n"kernel.type" = "wendland_c4"\n', "shared.toml")
-        shares = STUDY.replace("repeats = 2", 'repeats = 2\nvariants_from = ["shared.toml"]')
-        self.write(shares, "study.toml")
-        names = [line.split()[1] for line in self.chart("--list")[0].splitlines()]
-        self.assertEqual(names[:4], ["wendland_c4", "default", "wendland_c2", "short"])
-        self.write(shares[: shares.index("[variant")], "study.toml")  # none of its own
-        self.assertEqual({line.split()[1] for line in self.chart("--list")[0].splitlines()}, {"wendland_c4"})
-
-    def test_variants_of_a_file_that_do_not_fit(self):
-        self.write('title = "x"\n[variant.default]\n', "shared.toml")
-        wrong = STUDY.replace("repeats = 2", 'repeats = 2\nvariants_from = ["shared.toml", "none.toml"]')
-        self.assertEqual(self.refusal(wrong).splitlines(), [
-            "errors:",
-            "shared.toml: title: no such key; there are: variant",
-            "study.toml: variants_from: none.toml: the variants cannot be read: No such file or directory",
-            "study.toml: variant.default: is also in shared.toml; give one of them another name",
-        ])
-        self.assertEqual(self.refusal(STUDY.replace("repeats = 2", 'repeats = 2\nvariants_from = "shared.toml"')),
-                         "error: study.toml: variants_from: must be a list of different texts\n")
-
-    def test_no_scene(self):
-        self.assertEqual(self.refusal(STUDY.replace('"scene"', '"scenes"')),
-                         "error: study.toml: scene: scenes: the scene's case cannot be read: No such file or directory\n")
-
-    def test_an_answer_that_is_wrong(self):
-        self.write(ANSWER.replace('"flow.v_rms"', '"v_rms"').replace('"value"', '"values"').replace("[0.476438]", "0.47"),
-                   "scene/answer.toml")
-        self.assertEqual(self.refusal(STUDY).splitlines(), [
-            "errors:",
-            "scene/answer.toml: quantity[1].series: 'v_rms' must be OBSERVER.QUANTITY, the observer as the case names it",
-            "scene/answer.toml: quantity[1].measure: 'values' is none of them; did you mean 'value'?",
-            "scene/answer.toml: quantity[1].exact: must be a list of one or more numbers",
-        ])
-        self.write(ANSWER.replace("[0.476438]", "[0.47, 0.0]"), "scene/answer.toml")
-        self.assertEqual(self.refusal(STUDY), "error: scene/answer.toml: quantity[1].exact: must be a list of 1 numbers\n")
-        self.write(ANSWER.replace("[0.476438]", "[0.0]"), "scene/answer.toml")
-        self.assertEqual(self.refusal(STUDY), "error: scene/answer.toml: quantity[1].exact: is 0, so that the error cannot be "
-                                              "relative to it: give a scale\n")
-
-    def test_an_answer_about_what_is_not_recorded(self):
-        self.write(ANSWER.replace("flow.v_rms", "flow.speed"), "scene/answer.toml")
-        _, err = self.chart("--quiet", code=2)
-        self.assertRegex(err, r"^error: scene/answer\.toml: no quantity 'speed' in observer 'flow' of out/run/results\.h5; "
-                              r"there are: .*v_rms")
-
-    def test_what_mesogen_refuses(self):
-        err = self.refusal(STUDY + '"kernel.typ" = "quintic"\n[variant.cubic]\n"kernel.type" = "cubic"\n')
-        self.assertEqual(err.splitlines()[:2], [
-            "errors:", 'study.toml: variant.short: --set: kernel.typ: unknown key; did you mean "type"?'])
-        self.assertIn('study.toml: variant.cubic: --set: kernel.type: no kernel plugin is called "cubic"', err)
 
 
 if __name__ == "__main__":

@@ -6,8 +6,8 @@ import pathlib
 import subprocess
 import unittest
 
+from chart_case import ANSWER, CASE
 from support import MESOGEN, CommandTest
-from test_chart import ANSWER, CASE
 
 STUDY = """\
 title = "Steps that are too long"

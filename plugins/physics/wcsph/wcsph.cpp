@@ -178,8 +178,7 @@ class Wcsph final : public Physics {
             -0.3, 0.3,
             "If the flow is faster than a tenth of the sound, raise sound_speed (or expected_speed, where that is "
             "\"auto\"); else leave the shift on, density_filter at 0 and time.scheme at \"midpoint\", or take a "
-            "smaller step (time.factor = "
-            "0.5)");
+            "smaller step (time.factor = 0.5)");
     list.field("compression_rate", Rank::scalar).unit("1/s").doc("D(rho / rho0)/Dt");
     list.field("compression_midpoint", Rank::scalar).doc("rho / rho0 - 1 at the midpoint of the step");
     list.field("compression_filtered", Rank::scalar).doc("the same after the density filter");
@@ -224,7 +223,11 @@ class Wcsph final : public Physics {
   template <bool BySpread>
   void shift(PassList& list) {
     Pass& pass = list.pass("shift").accumulates({"shift_velocity"});
-    BySpread ? pass.reads_neighbours({"velocity"}) : pass.reads({"velocity_gradient"});
+    if constexpr (BySpread) {
+      pass.reads_neighbours({"velocity"});
+    } else {
+      pass.reads({"velocity_gradient"});
+    }
     pass.run([this](const PassContext& context) {
       wcsph::Shift<Real, Dim, BySpread> sums{};
       if constexpr (BySpread) {

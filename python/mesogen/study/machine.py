@@ -35,17 +35,20 @@ def version_text(program):
 def program_text(program):
     """version_text, and a digest of all keys with their defaults: a case that leaves them out means another one where they
     differ."""
+    version = version_text(program)
     done = subprocess.run([program, "schema"], capture_output=True, text=True, check=False)
-    return version_text(program) + (DEFAULTS + digest(_without_words(json.loads(done.stdout))) if not done.returncode else "")
+    if done.returncode != 0:
+        raise StudyError(f"{program} schema failed: {done.stderr.strip()}")
+    return version + DEFAULTS + digest(_without_words(json.loads(done.stdout)))
 
 
 def of_same_defaults(rows, program):
-    """The rows of the ledger whose defaults are those of this program, and those that do not tell theirs."""
+    """The rows of the ledger whose defaults are those of this program; all of them if it cannot be asked."""
     try:
         mine = program_text(program).partition(DEFAULTS)[2]
     except StudyError:
         return rows  # there is nothing to compare with, and nothing to run
-    return [row for row in rows if row["version"].partition(DEFAULTS)[2] in ("", mine)]
+    return [row for row in rows if row["version"].partition(DEFAULTS)[2] == mine]
 
 
 def _without_words(schema):

@@ -9,7 +9,7 @@ FRONT = "#22262b"
 
 def draw(title, subtitle, points):
     """The page. points: of all variants, failures too; at least one that did not fail, above error 0."""
-    page, axes = look.chart(title, subtitle)
+    page, axes = look.chart(title, subtitle, lines=len(by_variant(points)) + 2)
     shown = [p for p in points if not p.failed and p.error > 0]
     failed = [p for p in points if p.failed]
     best = front(shown)

@@ -8,7 +8,7 @@ from . import look
 
 def draw(title, subtitle, points):
     """The page. points: as for error_cost."""
-    page, axes = look.chart(title, subtitle)
+    page, axes = look.chart(title, subtitle, lines=len(by_variant(points)) + 1)
     shown = [p for p in points if not p.failed and p.error > 0]
     resolutions = sorted({p.resolution for p in points})
     look.log_axis(axes.xaxis, resolutions, room=(0.05, 0.05), ticks=thinned(resolutions))

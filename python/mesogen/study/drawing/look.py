@@ -14,6 +14,7 @@ COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#0
 MARKERS = ("o", "s", "^", "D", "v", "P", "X", "<", ">", "*", "h")
 LINES = ("-", (0, (5, 2)), (0, (1.5, 1.5)))
 GRID = "#e6e8eb"
+LEGEND_LINE = 0.178  # inches
 
 SETTINGS = {
     **style.SETTINGS,
@@ -35,8 +36,9 @@ def look_of(number):
             "linestyle": LINES[number // len(COLOURS) % len(LINES)], "markersize": 4.5, "markeredgewidth": 0.0}
 
 
-def chart(title, subtitle="", width=7.6, height=4.4, legend=2.3):
-    """(page, axes): one chart with room for a legend on the right; sizes in inches."""
+def chart(title, subtitle="", lines=0, width=7.6, height=4.4, legend=2.3):
+    """(page, axes): one chart with room for a legend on the right, of so many lines; sizes in inches."""
+    height = max(height, 1.1 + LEGEND_LINE * lines)
     page = style.page(width, height)
     left, bottom, top = 0.75, 0.55, 0.55
     axes = page.add_axes([left / width, bottom / height, (width - left - legend) / width, (height - bottom - top) / height])

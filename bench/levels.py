@@ -1,0 +1,72 @@
+#!/usr/bin/python3
+"""The cheapest variant of each scene for each error, in one table, from the charts that scripts/accuracy made.
+
+    bench/levels.py output/charts docs/accuracy/levels.md
+
+Reads points.csv of every study of studies/accuracy under the folder; scenes that are not there are left out.
+"""
+
+import csv
+import glob
+import math
+import os
+import sys
+
+PROJECT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
+sys.path.insert(0, os.path.join(PROJECT, "python"))
+
+from mesogen.study.analysis import LEVELS, by_variant, cheapest, reach  # noqa: E402
+from mesogen.study.markdown import table_lines  # noqa: E402
+from mesogen.study.points import Point  # noqa: E402
+from mesogen.study.tables import percent, seconds  # noqa: E402
+
+PUBLISHED = "published"
+HEAD = """# The cheapest variant for each error
+
+Wall time (s) of one core to stay within an error, interpolated between measured points and never beyond them. In brackets that of the default and of the published scheme, "-" where
+no resolution that was run stays within the error. Variants are those of `studies/accuracy/variants`; made by `scripts/accuracy`.
+"""
+
+
+def number(text):
+    return float(text) if text else math.nan
+
+
+def points_of(file):
+    """The points of a study's points.csv."""
+    with open(file, newline="", encoding="utf-8") as lines:
+        return [Point(row["variant"], int(row["resolution"]), number(row["error"]), number(row["wall_seconds"]),
+                      number(row["wall_seconds_min"]), number(row["wall_seconds_max"]), number(row["cpu_seconds"]),
+                      number(row["steps"]), number(row["peak_memory"]), int(row["runs"]), row["failure"])
+                for row in csv.DictReader(lines)]
+
+
+def cell(points, level):
+    """`eulerian` 0.09 (0.33; -)"""
+    best = cheapest(points, level)
+    if best is None:
+        return "none"
+    others = [reach(by_variant(points).get(name, []), level) for name in ("default", PUBLISHED)]
+    if PUBLISHED not in by_variant(points):
+        others.pop()
+    return f"`{best.variant}` {seconds(best.wall)} ({'; '.join(seconds(one.wall) if one else '-' for one in others)})"
+
+
+def main():
+    if len(sys.argv) != 3:
+        sys.exit(__doc__)
+    charts, output = sys.argv[1:]
+    rows = []
+    for study in sorted(glob.glob(os.path.join(PROJECT, "studies", "accuracy", "*.toml"))):
+        name = os.path.splitext(os.path.basename(study))[0]
+        file = os.path.join(charts, name, "points.csv")
+        if os.path.exists(file):
+            points = points_of(file)
+            rows.append([f"[{name.replace('_', ' ')}]({name}/table.md)", *(cell(points, level) for level in LEVELS)])
+    header = ["scene", *(percent(level) for level in LEVELS)]
+    with open(output, "w", encoding="utf-8") as page:
+        page.write(HEAD + "\n" + "\n".join(table_lines(header, rows, left=header)) + "\n")
+
+
+if __name__ == "__main__":
+    main()
