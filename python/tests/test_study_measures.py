@@ -58,6 +58,10 @@ class Measures(synthetic.FolderTest):
                          "flow.v_rms has 1 samples from t = 0 to 0.2 s, and a growth rate needs two: let the observer "
                          "sample oftener")
 
+    def test_no_growth_rate_beyond_the_series(self):
+        self.assertEqual(self.refusal(known("growth_rate", [1.0, 20.0], [1.0])),
+                         "the answer is for t = 1 to 20 s, but flow.v_rms was recorded from t = 0.01 to 10.01 s")
+
     def test_no_growth_rate_of_what_is_zero(self):
         self.assertEqual(self.refusal(known("growth_rate", [0.0, 5.0], [1.0]), np.zeros(len(TIME))),
                          "flow.v_rms is not above 0 from t = 0 to 5 s: it has no growth rate")

@@ -72,7 +72,7 @@ class Refusals(ChartTest):
         self.assertEqual(self.refusal(STUDY).splitlines(), [
             "errors:",
             "scene/answer.toml: quantity[1].series: 'v_rms' must be OBSERVER.QUANTITY, the observer as the case names it",
-            "scene/answer.toml: quantity[1].measure: 'values' is none of them; did you mean 'value'?",
+            "scene/answer.toml: quantity[1].measure: 'values' is none of: value, growth_rate; did you mean 'value'?",
             "scene/answer.toml: quantity[1].exact: must be a list of one or more numbers",
         ])
         self.write(ANSWER.replace("[0.476438]", "[0.47, 0.0]"), "scene/answer.toml")

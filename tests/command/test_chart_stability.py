@@ -88,7 +88,7 @@ class Stability(CommandTest):
         self.assertIn("Variants: `half`: half as far.", text)
         self.assertRegex(text, r"# default, 0\.05: fails, \w.*\nmesogen run scene/case\.toml --set time\.end=0\.4 --set "
                                r"observers\.flow\.interval=0\.05 --set physics\.flow\.viscosity=0\.05 --set time\.factor=[\d.]+ "
-                               r"--output output/outside\n")
+                               r"--output output/default_0\.05_outside --threads 1\n")
         self.assertRegex(err, r" default, 0\.05, time\.factor = 1: holds, ")
         self.assertRegex(err, r" default, 0\.05, time\.factor = 30: FAILS, \w.* at t = [\d.e+-]+ s: ")
 

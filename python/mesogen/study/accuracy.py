@@ -66,7 +66,7 @@ def list_runs(study, folder, program, write):
         row = row_of(job, study, rows)
         state = "missing" if (job.key, job.repeat) in waiting else row["status"] if row else "skipped"
         write(f"{state:8} {job.name} ({job.repeat} of {study.repeats}): "
-              + command_line(program, study.scene.case, job.overrides, os.path.join(folder, "run")))
+              + command_line(program, study.scene.case, job.overrides, os.path.join(folder, "run"), study.threads))
 
 
 def run_study(study, folder, program, progress_of=Progress, tell=print):

@@ -33,9 +33,9 @@ def command(program, case, overrides, folder):
     return [*words, "--output", folder]
 
 
-def command_line(program, case, overrides, folder):
+def command_line(program, case, overrides, folder, threads):
     """The same as one line for a shell."""
-    return shlex.join(command(program, case, overrides, folder))
+    return shlex.join([*command(program, case, overrides, folder), "--threads", str(threads)])
 
 
 def execute(program, case, overrides, folder, threads=1, timeout=None, tick=None):

@@ -33,6 +33,10 @@ def growth_rate(run, quantity):
     time, series = _series(run, quantity)
     first, last = quantity.at
     slack = 1e-9 * max(abs(first), abs(last))
+    gap = slack + (np.diff(time).max() if len(time) > 1 else 0.0)  # samples need not lie at the ends
+    if len(time) and (time[0] > first + gap or time[-1] < last - gap):
+        raise StudyError(f"the answer is for t = {first:g} to {last:g} s, but {_name(quantity)} was recorded "
+                         f"from t = {time[0]:g} to {time[-1]:g} s")
     chosen = (time >= first - slack) & (time <= last + slack)
     if chosen.sum() < 2:
         raise StudyError(f"{_name(quantity)} has {chosen.sum()} samples from t = {first:g} to {last:g} s, and a growth "

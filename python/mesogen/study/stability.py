@@ -72,7 +72,8 @@ def list_runs(study, folder, program, write):
 
 
 def command_of(study, program, cell, value, folder, name):
-    return command_line(program, study.scene.case, study.overrides(cell, value), os.path.join(folder, name))
+    return command_line(program, study.scene.case, study.overrides(cell, value), os.path.join(folder, name),
+                        study.threads)
 
 
 def run_study(study, folder, program, progress_of=Progress, tell=print):

@@ -1,5 +1,7 @@
 """The tables of a stability study: Markdown for people, CSV for programs."""
 
+import re
+
 from .ledger import csv_text
 from .markdown import head_lines, table_lines
 
@@ -82,7 +84,9 @@ def _table(study, searches):
 def _commands(searches, command):
     lines = []
     for found in searches:
-        for inside, outside, row in found.edges:
-            lines += [f"# {found.cell.name}: holds", command(found.cell, inside, "inside"),
-                      f"# {found.cell.name}: fails, {row['how']}", command(found.cell, outside, "outside")]
+        for number, (inside, outside, row) in enumerate(found.edges, start=1):
+            stem = "_".join(re.findall(r"[\w.-]+", found.cell.name) + ([str(number)] if len(found.edges) > 1 else []))
+            lines += [f"# {found.cell.name}: holds", command(found.cell, inside, f"{stem}_inside"),
+                      f"# {found.cell.name}: fails, {row['how']} at t = {float(row['time']):.3g} s",
+                      command(found.cell, outside, f"{stem}_outside")]
     return ["Just inside and just outside of each boundary:", "", "```sh", *lines, "```", ""] if lines else []

@@ -23,10 +23,13 @@ def read_toml(path, what):
 
 def nearest(name, candidates):
     """', did you mean ...?' with the nearest name, or all of them where none is near."""
-    near = difflib.get_close_matches(name, list(candidates), n=1, cutoff=0.6)
-    if near:
-        return f"; did you mean '{near[0]}'?"
-    return f"; there are: {', '.join(candidates)}" if candidates else ""
+    return near(name, candidates) or (f"; there are: {', '.join(candidates)}" if candidates else "")
+
+
+def near(name, candidates):
+    """', did you mean ...?', or nothing."""
+    found = difflib.get_close_matches(name, list(candidates), n=1, cutoff=0.6)
+    return f"; did you mean '{found[0]}'?" if found else ""
 
 
 def key_text(key):
@@ -72,7 +75,7 @@ class TableReader:
         wanted = "one of: " + ", ".join(choices) if choices else "a text"
         value = self._value(key, default, lambda v: isinstance(v, str), wanted)
         if choices and isinstance(value, str) and value not in choices:
-            self.refuse(key, f"'{value}' is none of them{nearest(value, choices)}")
+            self.refuse(key, f"'{value}' is none of: {', '.join(choices)}{near(value, choices)}")
             return None if default is REQUIRED else default
         return value
 

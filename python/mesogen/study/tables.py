@@ -28,7 +28,7 @@ def _head(study, rows):
     threads = f"{study.threads} thread{'s' if study.threads != 1 else ''}"
     return [f"Scene: {answer.title}. {answer.source.strip()}", "", *head_lines(rows),
             f"With {threads}; medians of {study.repeats} run{'s' if study.repeats != 1 else ''}"
-            + (f" for each of {len(study.seeds)} seeds" if study.seeds else "") + ". Wall time is that of stepping."]
+            + (f" for each of {len(study.seeds)} seeds" if study.seeds else "") + ". Error: root mean square of what the answer tells, relative. Wall time is that of stepping."]
 
 
 def percent(error):
