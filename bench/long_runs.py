@@ -102,6 +102,8 @@ def main():
                 with run:
                     lines.append(row(name, run))
     print(file=sys.stderr)
+    lines += ["", "The drift of momentum is a uniform flow that grows by chance: it changes no other flow, but it is in paths and in v_rms. "
+                  "What is left of it with conservative forces is the viscosity's."]
     text = "\n".join(lines) + "\n"
     if options.output:
         with open(options.output, "w", encoding="utf-8") as file:
