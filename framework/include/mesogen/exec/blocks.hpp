@@ -17,8 +17,8 @@ class Blocks {
   [[nodiscard]] Index end(Index block) const { return std::min<Index>(count_, (block + 1) * size); }
 
  private:
-  // A multiple of all vector widths, or else every block had a remainder; small, so that few particles give every thread
-  // something to do.
+  // A multiple of all vector widths, or else every block had a remainder; small, so that few particles give every
+  // thread something to do.
   static constexpr Index size = 64;
   Index count_;
 };
