@@ -68,7 +68,7 @@ class Chart(ChartTest):
         lines = out.splitlines()
         self.assertEqual(len(lines), 6)
         self.assertRegex(lines[0], r"^missing  default 8 \(1 of 2\): \S*mesogen run scene/case\.toml --set time\.factor=0\.5 "
-                                   r"--set particles\.spacing=0\.125 --output out/run$")
+                                   r"--set particles\.spacing=0\.125 --output out/run --threads 1$")
         self.assertFalse(os.path.exists(self.path("out")))
 
     def test_only_some_variants(self):
