@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "case_run.hpp"
+#include "written_out.hpp"
 
 namespace {
 
@@ -15,14 +16,6 @@ constexpr double length = 1.0;
 constexpr int across = 16;
 constexpr double smoothing_length = 2.0 * length / across;
 constexpr double beta = 0.7;
-
-/// Wendland C2 but for its factor, which cancels.
-double weight(double distance) {
-  const double q = distance / smoothing_length;
-  return q < 2.0 ? std::pow(1.0 - q / 2.0, 4) * (2.0 * q + 1.0) : 0.0;
-}
-
-double nearest_image(double separation) { return separation - length * std::round(separation / length); }
 
 TEST(DensityFilter, IsShepards) {
   CaseText text(length, across);
@@ -42,7 +35,8 @@ TEST(DensityFilter, IsShepards) {
     double weights = 0.0;
     double weighted = 0.0;
     for (std::size_t j = 0; j < x.size(); ++j) {
-      const double w = weight(std::hypot(nearest_image(x[i] - x[j]), nearest_image(y[i] - y[j])));
+      const double w = wendland_c2_shape(
+          std::hypot(nearest_image(x[i] - x[j], length), nearest_image(y[i] - y[j], length)), smoothing_length);
       weights += w;
       weighted += w * before[j];
     }

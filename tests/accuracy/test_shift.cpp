@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "case_run.hpp"
+#include "written_out.hpp"
 
 namespace {
 
@@ -17,14 +18,6 @@ constexpr double length = 1.0;
 constexpr int across = 16;
 constexpr double smoothing_length = 2.0 * length / across;
 constexpr double strength = 0.8;
-
-/// Wendland C2 but for its factor, which cancels.
-double weight(double distance) {
-  const double q = distance / smoothing_length;
-  return std::pow(1.0 - q / 2.0, 4) * (2.0 * q + 1.0);
-}
-
-double nearest_image(double separation) { return separation - length * std::round(separation / length); }
 
 CaseRun run_with(const std::string& speed) {
   CaseText text(length, across);
@@ -51,11 +44,13 @@ void expect_written_out(const std::string& form) {
     double distances = 0.0;
     int others = 0;
     for (std::size_t j = 0; j < place[0].size(); ++j) {
-      const double apart[2] = {nearest_image(place[0][i] - place[0][j]), nearest_image(place[1][i] - place[1][j])};
+      const double apart[2] = {nearest_image(place[0][i] - place[0][j], length),
+                               nearest_image(place[1][i] - place[1][j], length)};
       const double distance = std::hypot(apart[0], apart[1]);
       if (distance >= 2.0 * smoothing_length) continue;
-      weights += weight(distance);
-      for (int d = 0; d < 2; ++d) spread[d] += weight(distance) * (velocity[d][i] - velocity[d][j]);
+      weights += wendland_c2_shape(distance, smoothing_length);
+      for (int d = 0; d < 2; ++d)
+        spread[d] += wendland_c2_shape(distance, smoothing_length) * (velocity[d][i] - velocity[d][j]);
       if (i == j) continue;
       ++others;
       distances += distance;

@@ -20,7 +20,7 @@ namespace mesogen::sph {
 template <class Real, int Dim, int Count>
 struct ConsistentDerivativePass {
   static_assert(Dim == 2, "the moments here are those of two dimensions");
-  // Sums: dd (xx, xy, yy), ddd (xxx, xxy, xyy, yyy), dddd (xxxx, ..., yyyy), then for each scalar d and dd.
+  // Sums: the 3 second moments dd (xx, xy, yy), 4 third ones, 5 fourth ones, then for each scalar its d (2) and dd (3).
   enum Sum { second = 0, third = 3, fourth = 7, of_scalar = 12 };
   static constexpr int per_scalar = 5;
   static constexpr int sum_count = of_scalar + Count * per_scalar;
