@@ -70,16 +70,17 @@ bool is_outside(Field& field, Index count, double lowest, double highest) {
   const Real low(lowest);
   const Real high(highest);
   int outside = 0;
-  if (field.components() == 1) {
-    const Real* const values = view.component(0);
-    // Written so that NaN is outside.
-#pragma omp parallel for simd schedule(static) reduction(| : outside)
-    for (Index i = 0; i < count; ++i)
-      outside |= static_cast<int>(!(values[i] >= low)) | static_cast<int>(!(values[i] <= high));
-    return outside != 0;
-  }
   const int components = field.components();
   const exec::Blocks blocks(count);
+  // Written so that NaN is outside.
+  if (components == 1) {
+    const Real* const values = view.component(0);
+#pragma omp parallel for schedule(static) reduction(| : outside)
+    for (Index block = 0; block < blocks.number(); ++block)
+      for (Index i = blocks.begin(block); i < blocks.end(block); ++i)
+        outside |= static_cast<int>(!(values[i] >= low)) | static_cast<int>(!(values[i] <= high));
+    return outside != 0;
+  }
 #pragma omp parallel for schedule(static) reduction(| : outside)
   for (Index block = 0; block < blocks.number(); ++block) {
     for (Index i = blocks.begin(block); i < blocks.end(block); ++i) {
