@@ -8,8 +8,8 @@
 
 namespace mesogen {
 
-/// The cells of a box: narrow along x, as high as the search range across it, with padding beyond faces that do not
-/// wrap. See Neighbours for what they are good for.
+/// The cells of a box: narrow along x, half as high as the search range across it, with padding beyond faces that do
+/// not wrap. See Neighbours for what they are good for.
 class MESOGEN_EXPORT CellGrid {
  public:
   /// `range`: how far a neighbour may be when it is looked for, m.

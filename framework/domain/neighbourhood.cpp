@@ -32,11 +32,11 @@ std::array<double, 3> Neighbourhood::sorted_at(Index i) const {
 
 const std::vector<Index>* Neighbourhood::update(Particles& particles) {
   ++version_;
-  if (!cell_of_.empty() && place(particles)) return nullptr;
+  if (!cell_of_.empty() && place(particles.position)) return nullptr;
   sort_particles(particles);
   find_cells();
   make_outside();
-  (void)place(particles);
+  find_blocks();
   return &order_;
 }
 
@@ -45,7 +45,27 @@ void Neighbourhood::restore(const Particles& particles, std::array<std::vector<d
   sorted_position_ = std::move(sorted_position);
   find_cells();
   make_outside();
-  (void)place(particles);
+  find_blocks();
+  (void)place(particles.position);
+}
+
+// Wherever particles are by now, their blocks are those of the last sorting. Leaves the particles placed there.
+void Neighbourhood::find_blocks() {
+  (void)place(sorted_position_);
+  const bool single = scene_.precision == Precision::single_precision;
+  if (scene_.dimension == 2) {
+    single ? find_blocks_of<float, 2>() : find_blocks_of<double, 2>();
+  } else {
+    single ? find_blocks_of<float, 3>() : find_blocks_of<double, 3>();
+  }
+}
+
+template <class Real, int Dim>
+void Neighbourhood::find_blocks_of() {
+  Neighbours<Real, Dim> grid{};
+  fill(grid);
+  // Two particles may each move by half the skin; a hundredth of it is for rounding.
+  blocks_.find(grid, scene_.support + 1.01 * skin_);
 }
 
 void Neighbourhood::keep_inside(Particles& particles, Index i) const {
@@ -195,8 +215,9 @@ void Neighbourhood::fill_cell_tables(const std::vector<Index>& outside_begin) {
 
 // Coordinates relative to tiles; false if a particle has left the skin.
 template <class Real>
-bool Neighbourhood::place(const Particles& particles, std::array<std::vector<Real>, 3>& local) const {
-  const Index count = particles.count();
+bool Neighbourhood::place(const std::array<std::vector<double>, 3>& position,
+                          std::array<std::vector<Real>, 3>& local) const {
+  const auto count = static_cast<Index>(position[0].size());
   const int cells = grid_.inside_count();
   const double most = skin_ * skin_ / 4.0;
   int left = 0;
@@ -209,7 +230,7 @@ bool Neighbourhood::place(const Particles& particles, std::array<std::vector<Rea
     for (Index i = cell_begin_[index]; i < cell_end_[index]; ++i) {
       double moved = 0.0;
       for (int d = 0; d < scene_.dimension; ++d) {
-        const double at = particles.position[d][i];
+        const double at = position[d][i];
         const double by = at - sorted_position_[d][i];
         moved += by * by;
         local[d][i] = Real(at - origin[d]);
@@ -223,14 +244,13 @@ bool Neighbourhood::place(const Particles& particles, std::array<std::vector<Rea
 #pragma omp parallel for schedule(static)
   for (Index n = 0; n < copies; ++n)
     for (int d = 0; d < scene_.dimension; ++d)
-      local[d][count + n] =
-          Real(particles.position[d][copies_.source[n]] + copies_.offset[n][d] - outside_origin_[d][n]);
+      local[d][count + n] = Real(position[d][copies_.source[n]] + copies_.offset[n][d] - outside_origin_[d][n]);
   return true;
 }
 
-bool Neighbourhood::place(const Particles& particles) {
-  return scene_.precision == Precision::single_precision ? place(particles, local_single_)
-                                                         : place(particles, local_double_);
+bool Neighbourhood::place(const std::array<std::vector<double>, 3>& position) {
+  return scene_.precision == Precision::single_precision ? place(position, local_single_)
+                                                         : place(position, local_double_);
 }
 
 template <class Real, int Dim>
@@ -238,8 +258,10 @@ void Neighbourhood::fill(Neighbours<Real, Dim>& grid) const {
   for (int d = 0; d < Dim; ++d) {
     if constexpr (sizeof(Real) == sizeof(float)) {
       grid.local[d] = local_single_[d].data();
+      grid.offset[d] = blocks_.offset_single[d].data();
     } else {
       grid.local[d] = local_double_[d].data();
+      grid.offset[d] = blocks_.offset[d].data();
     }
     grid.cells[d] = grid_.cells(d);
     grid.padding[d] = grid_.padding(d);
@@ -250,6 +272,8 @@ void Neighbourhood::fill(Neighbours<Real, Dim>& grid) const {
   grid.cell_begin = cell_begin_.data();
   grid.cell_end = cell_end_.data();
   grid.cell_of = cell_of_.data();
+  grid.block_begin = blocks_.begin.data();
+  grid.block = blocks_.block.data();
   grid.particle_count = static_cast<Index>(cell_of_.size());
   grid.tile = CellGrid::cells_in_tile;
   grid.radius = Real(scene_.support);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "domain/cell_grid.hpp"
+#include "domain/neighbour_blocks.hpp"
 #include "domain/particles.hpp"
 #include "mesogen/domain/neighbours.hpp"
 #include "mesogen/export.hpp"
@@ -63,8 +64,12 @@ class MESOGEN_EXPORT Neighbourhood {
   void fill_cell_tables(const std::vector<Index>& outside_begin);
   [[nodiscard]] std::array<double, 3> sorted_at(Index i) const;
   template <class Real>
-  [[nodiscard]] bool place(const Particles& particles, std::array<std::vector<Real>, 3>& local) const;
-  [[nodiscard]] bool place(const Particles& particles);
+  [[nodiscard]] bool place(const std::array<std::vector<double>, 3>& position,
+                           std::array<std::vector<Real>, 3>& local) const;
+  [[nodiscard]] bool place(const std::array<std::vector<double>, 3>& position);
+  void find_blocks();
+  template <class Real, int Dim>
+  void find_blocks_of();
 
   const Scene& scene_;
   const Boundary& boundary_;
@@ -76,6 +81,7 @@ class MESOGEN_EXPORT Neighbourhood {
   std::vector<Index> cell_of_;     // number, inside the box, of each particle's cell
   std::vector<Index> cell_begin_;  // by padded cell
   std::vector<Index> cell_end_;
+  NeighbourBlocks blocks_;
   Copies copies_;
   Dummies dummies_;
   std::array<std::vector<double>, 3> outside_origin_;  // of the tile of each copy or dummy

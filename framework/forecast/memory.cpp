@@ -21,10 +21,6 @@ constexpr double running_code = 8.5e6;
 // The allocator keeps some of what is freed: of what comes and goes, more is resident than is in use.
 constexpr double kept = 1.25;
 
-// Lanes of weights over neighbours within the support: blocks are not full. Measured, quintic and Wendland kernels on
-// lattices, 1.6 to 1.9.
-constexpr double lanes_per_neighbour = 1.75;
-
 class Counted {
  public:
   explicit Counted(const Setup& setup)
@@ -34,6 +30,10 @@ class Counted {
         particles_(scene_.particle_count),
         axes_(scene_.dimension),
         reach_(scene_.support + Neighbourhood::skin_in_spacings * scene_.spacing),
+        grid_(scene_, *setup.boundary, reach_),
+        block_width_(number_ == single ? NeighbourBlock::width<float> : NeighbourBlock::width<double>),
+        blocks_(particles_ *
+                NeighbourBlocks::expected(reach_ / scene_.spacing, grid_.width(1) / scene_.spacing, block_width_)),
         neighbours_(std::numbers::pi * std::pow(scene_.support / scene_.spacing, 2)) {
     Copies copies;
     const auto& position = setup.arrangement.position;
@@ -48,16 +48,17 @@ class Counted {
   [[nodiscard]] double positions() const {
     const double start = axes_ * exact;                            // where the case puts them
     const double now = axes_ * (exact + 4.0) + 8.0;                // position, image, id
-    const double sorted = axes_ * exact + 4.0 + 4.0;               // position at the last sorting, cell, order
+    const double sorted = axes_ * exact + 4.0 + 4.0 + 8.0;         // position at the last sorting, cell, order, blocks
     return particles_ * (start + now + sorted + axes_ * number_);  // and relative to a tile
   }
 
   [[nodiscard]] double neighbour_search() const {
-    const CellGrid grid(scene_, *setup_.boundary, reach_);
     const double beyond = axes_ * (exact + number_);             // tile, and position relative to it
     const double wall = 48.0 + neighbours_ / 2.0 * 16.0 + 64.0;  // dummy and mirror; weights; a vector's room
-    return 8.0 * grid.padded_count() + copies_ * (28.0 + beyond) + dummies_ * (wall + beyond);
+    return 8.0 * grid_.padded_count() + blocks() + copies_ * (28.0 + beyond) + dummies_ * (wall + beyond);
   }
+
+  [[nodiscard]] double blocks() const { return blocks_ * sizeof(NeighbourBlock); }
 
   [[nodiscard]] double fields() const {
     double numbers = 0.0;  // a particle
@@ -89,7 +90,7 @@ class Counted {
     }
     const double kinds = (gradient ? axes_ : 0.0) + (laplacian ? 1.0 : 0.0);
     if (kinds == 0.0) return 0.0;
-    return particles_ * (8.0 + neighbours_ * lanes_per_neighbour * (kinds * number_ + 4.0 / 8.0));
+    return blocks_ * block_width_ * kinds * number_;
   }
 
   [[nodiscard]] double checkpoint() const {
@@ -134,6 +135,9 @@ class Counted {
   double particles_;
   double axes_;
   double reach_;
+  CellGrid grid_;
+  int block_width_;
+  double blocks_;
   double neighbours_;
   double copies_ = 0.0;
   double dummies_ = 0.0;
@@ -159,7 +163,9 @@ MemoryForecast forecast_memory(const Setup& setup, double program) {
   if (const double weights = counted.weights(); weights > 0.0) forecast.lasting.push_back({"weights", weights});
   // Encoding holds the values, the file in memory, and the bytes that are written.
   const double frame = counted.frame(true) + 2.0 * counted.frame(false);
-  forecast.now_and_then = {{"a checkpoint", kept * 3.0 * counted.checkpoint()},
+  // Threads find their parts of the blocks before these are put together.
+  forecast.now_and_then = {{"a sorting", kept * counted.blocks()},
+                           {"a checkpoint", kept * 3.0 * counted.checkpoint()},
                            {"a frame", kept * frame},
                            {"a sample", kept * counted.sample()}};
   return forecast;

@@ -174,12 +174,11 @@ void DerivedFields::run_pair_sums(PairPass& pass) {
   auto& weights = pass.weights->of<Real>();
   if (new_positions) {
     const auto start = std::chrono::steady_clock::now();
-    sph::find_weights<Real, Dim>(neighbours, world_.kernel, wanted,
-                                 world_.particles.count() + world_.neighbourhood.outside_count(), weights);
+    sph::find_weights<Real, Dim>(neighbours, world_.kernel, wanted, weights);
     ++pass.finding.runs;
     pass.finding.seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   }
-  sph::derivatives<Real, Dim>(space, weights, wanted);
+  sph::derivatives<Real, Dim>(space, neighbours, weights, wanted);
 }
 
 std::vector<DerivedFields::Counter> DerivedFields::counters() const {

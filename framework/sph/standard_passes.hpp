@@ -29,7 +29,7 @@ struct Derivatives {
   static constexpr int most = 4;
 
   FieldView<const Real> volume;
-  bool consistent = false;  ///< the Laplacian of ConsistentDerivativePass
+  bool consistent = false;  ///< the Laplacian of ConsistentFit
   int count = 0;
   const Real* source[most];    ///< components to differentiate
   Real* gradient[most][Dim];   ///< where d f / d x_d goes; nullptr: not wanted

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "mesogen/exec/lanes.hpp"
+#include "mesogen/sph/small_matrix.hpp"
 
 // The operations on packs, lane by lane against those on numbers: they must not depend on compiler or instruction set.
 namespace mesogen::exec {
@@ -81,6 +82,39 @@ TYPED_TEST(Lanes, SumsAddAllLanes) {
   for (int n = 0; n < count; ++n) {
     const auto row = this->row(static_cast<Real>(n), Real(1));
     EXPECT_EQ(total[n], std::accumulate(row.begin(), row.end(), Real(0))) << n;
+  }
+}
+
+TYPED_TEST(Lanes, InvertSymmetricMatrices) {
+  using Real = TypeParam;
+  // The first matrix of two dimensions is singular: the identity is its inverse.
+  const auto first = this->row(Real(0), Real(0.5));
+  const typename TestFixture::Lane upper[6] = {this->lane(first), Real(0.25),  Real(-0.5),
+                                               Real(2),           Real(0.125), Real(3)};
+  typename TestFixture::Lane small[4];
+  typename TestFixture::Lane large[9];
+  sph::invert_symmetric<Real, 3>(upper, large);
+  const typename TestFixture::Lane second[3] = {this->lane(first), Real(0), Real(2)};
+  sph::invert_symmetric<Real, 2>(second, small);
+  for (std::size_t n = 0; n < first.size(); ++n) {
+    const Real a = first[n];
+    Real found[9];
+    for (int c = 0; c < 9; ++c) found[c] = this->numbers(large[c])[n];
+    const Real matrix[9] = {a, Real(0.25), Real(-0.5), Real(0.25), Real(2), Real(0.125), Real(-0.5), Real(0.125), 3};
+    for (int r = 0; r < 3; ++r) {
+      for (int c = 0; c < 3; ++c) {
+        Real product(0);
+        for (int k = 0; k < 3; ++k) product += matrix[3 * r + k] * found[3 * k + c];
+        EXPECT_NEAR(product, r == c ? Real(1) : Real(0), 50 * std::numeric_limits<Real>::epsilon()) << a << r << c;
+      }
+    }
+    EXPECT_EQ(this->numbers(small[0])[n], a == Real(0) ? Real(1) : Real(1) / a);
+    EXPECT_EQ(this->numbers(small[3])[n], a == Real(0) ? Real(1) : Real(0.5));
+    EXPECT_EQ(this->numbers(small[1])[n], Real(0));
+    Real one[4];
+    const Real alone[3] = {a, Real(0), Real(2)};
+    sph::invert_symmetric<Real, 2>(alone, one);
+    for (int c = 0; c < 4; ++c) EXPECT_EQ(this->numbers(small[c])[n], one[c]);
   }
 }
 

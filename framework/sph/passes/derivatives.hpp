@@ -1,77 +1,194 @@
 #pragma once
 
 #include "mesogen/sph/pair_sum.hpp"
-#include "mesogen/sph/small_matrix.hpp"
-#include "sph/passes/consistent_derivatives.hpp"
+#include "sph/passes/fits.hpp"
 #include "sph/standard_passes.hpp"
 
 namespace mesogen::sph {
 
-/// Derivatives of `Count` scalars; see Derivatives for the formulas. All sums share g = V_j W'(r) / r.
-template <class Real, int Dim, int Count>
-struct DerivativePass {
-  static constexpr int alpha = symmetric_components<Dim>;
-  static constexpr int sum_count = alpha + Count * (1 + Dim);
-  Derivatives<Real, Dim> wanted;
+/// Visits the neighbours of a particle twice: for the moments that a fit needs, and with its weights for `Count`
+/// scalars. So each visit keeps few sums, and they stay in registers. What the first visit found of a pack is kept for
+/// the second. Between them the weights of a group of particles, as many as a pack has lanes, are solved for together.
+template <class Real, int Dim, int Count, class Fit, class Kernel>
+class DerivativeLoop {
+  using Lane = typename Pairs<Real, Dim, Kernel>::Lane;
+  using Weighed = WeighedPair<Lane, Dim>;
 
-  struct Own {
-    Real value[Count == 0 ? 1 : Count];
+ public:
+  static constexpr int group = sizeof(Lane) / sizeof(Real);
+
+  DerivativeLoop(const Pairs<Real, Dim, Kernel>& pairs, const Fit& fit, const Derivatives<Real, Dim>& wanted,
+                 Index particles)
+      : pairs_(pairs), fit_(fit), wanted_(wanted), particles_(particles) {}
+
+  /// The n-th group.
+  MESOGEN_HOST_DEVICE void operator()(Index n) const {
+    const Index first = n * group;
+    const int members = particles_ - first < group ? particles_ - first : group;
+    Kept kept[group];
+    Columns<Fit::sum_count> moments;
+    for (int k = 0; k < members; ++k) find_moments(first + k, kept[k], moments.row[k]);
+    for (int k = members; k < group; ++k)
+      for (int m = 0; m < Fit::sum_count; ++m) moments.row[k][m] = Real(0);
+    Lane moment[Fit::sum_count];
+    Lane weight[Fit::weight_count];
+    moments.read(moment);
+    fit_.solve(moment, weight);
+    if (wanted_.correction)
+      for (int c = 0; c < Dim * Dim; ++c) put(weight[Fit::correction + c], &wanted_.correction(c, first), members);
+    if constexpr (Count > 0) {
+      Columns<Fit::weight_count> weights;
+      weights.write(weight);
+      Columns<scalar_sums> scalars;
+      for (int k = 0; k < members; ++k) sum_scalars(first + k, kept[k], weights.row[k], scalars.row[k]);
+      Lane sum[scalar_sums];
+      scalars.read(sum);
+      finish(sum, weight, first, members);
+    }
+  }
+
+ private:
+  static constexpr int per_scalar = Dim + 1;  // gradient and Laplacian
+  static constexpr int scalar_sums = Count == 0 ? 1 : Count * per_scalar;
+  // A device computes a pair faster than it fetches it; on the host twice what neighbours usually need.
+  static constexpr int most_kept = group == 1 ? 1 : 256 / group;
+
+  struct Kept {
+    int packs;
+    Index j[most_kept];
+    alignas(Lane) Real slope[most_kept][group];
+    alignas(Lane) Real separation[Dim][most_kept][group];
   };
-  MESOGEN_HOST_DEVICE Own load(Index i) const {
-    Own own{};
-    for (int n = 0; n < Count; ++n) own.value[n] = wanted.source[n][i];
-    return own;
-  }
 
-  template <class Pair, class Lane>
-  [[gnu::always_inline]] MESOGEN_HOST_DEVICE void pair(const Own& own, const Pair& p, Lane* sum) const {
-    const Lane g = p.load(wanted.volume) * p.gradient();
-    Lane weight[Dim];
-    exec::unroll<Dim>([&](auto d) { weight[d] = g * p.separation[d]; });
-    exec::unroll<Dim>([&](auto a) {
-      exec::unroll<Dim - a>([&](auto offset) {
-        constexpr int n = symmetric_index<Dim>(a, a + offset);
-        sum[n] = sum[n] - weight[a] * p.separation[a + offset];
-      });
-    });
-    exec::unroll<Count>([&](auto n) {
-      constexpr int at = alpha + n * (1 + Dim);
-      const Lane difference = p.load({wanted.source[n], 0}) - Lane(own.value[n]);
-      sum[at] = sum[at] - difference * g;
-      exec::unroll<Dim>([&](auto d) { sum[at + 1 + d] = sum[at + 1 + d] + difference * weight[d]; });
-    });
-  }
+  /// `Size` numbers of each particle of a group, by particle or as packs over the group.
+  template <int Size>
+  struct Columns {
+    Real row[group][Size];
 
-  MESOGEN_HOST_DEVICE void finish(Index i, const Own&, const Real* sum) const {
-    Real inverse[Dim * Dim];
-    invert_symmetric<Real, Dim>(sum, inverse);
-    Real trace = Real(0);
-    for (int d = 0; d < Dim; ++d) trace += sum[symmetric_index<Dim>(d, d)];
-    const Real scale = Real(2 * (2 + Dim)) / (Real(2) + trace);
-    const Real* s = sum + alpha;
-    for (int n = 0; n < Count; ++n, s += 1 + Dim) {
-      if (wanted.laplacian[n] != nullptr) wanted.laplacian[n][i] = scale * s[0];
-      if (wanted.gradient[n][0] == nullptr) continue;
-      for (int a = 0; a < Dim; ++a) {
-        Real total = Real(0);
-        for (int b = 0; b < Dim; ++b) total += inverse[a * Dim + b] * s[1 + b];
-        wanted.gradient[n][a][i] = total;
+    MESOGEN_HOST_DEVICE void read(Lane* pack) const {
+      for (int n = 0; n < Size; ++n) {
+        Real column[group];
+        for (int k = 0; k < group; ++k) column[k] = row[k][n];
+        exec::load(column, pack[n]);
       }
     }
-    if (wanted.correction)
-      for (int c = 0; c < Dim * Dim; ++c) wanted.correction(c, i) = inverse[c];
+    MESOGEN_HOST_DEVICE void write(const Lane* pack) {
+      for (int n = 0; n < Size; ++n) {
+        Real column[group];
+        exec::store(pack[n], column);
+        for (int k = 0; k < group; ++k) row[k][n] = column[k];
+      }
+    }
+  };
+
+  MESOGEN_HOST_DEVICE static void put(const Lane& pack, Real* to, int members) {
+    if (members == group) return exec::store(pack, to);
+    Real all[group];
+    exec::store(pack, all);
+    for (int k = 0; k < members; ++k) to[k] = all[k];
   }
+
+  template <class Pair>
+  [[gnu::always_inline]] MESOGEN_HOST_DEVICE Weighed weighed(const Pair& pair) const {
+    Weighed p;
+    p.slope = pair.load(wanted_.volume) * pair.gradient();
+    for (int d = 0; d < Dim; ++d) p.separation[d] = pair.separation[d];
+    return p;
+  }
+
+  MESOGEN_HOST_DEVICE void find_moments(Index i, Kept& kept, Real* total) const {
+    Lane sum[Fit::sum_count];
+    exec::unroll<Fit::sum_count>([&](auto n) { sum[n] = Lane(Real(0)); });
+    int packs = 0;
+    pairs_.visit(
+        i, [&](const auto& pair) __attribute__((always_inline)) {
+          const Weighed p = weighed(pair);
+          fit_.add(p, sum);
+          if constexpr (Count > 0) {
+            const int n = packs < most_kept ? packs : most_kept - 1;
+            kept.j[n] = pair.j;
+            exec::store(p.slope, &kept.slope[n][0]);
+            for (int d = 0; d < Dim; ++d) exec::store(p.separation[d], &kept.separation[d][n][0]);
+          }
+          ++packs;
+        });
+    kept.packs = packs;
+    exec::sum_lanes(sum, total);
+  }
+
+  MESOGEN_HOST_DEVICE void sum_scalars(Index i, const Kept& kept, const Real* weight, Real* total) const {
+    Real own[scalar_sums];
+    Lane sum[scalar_sums];
+    for (int n = 0; n < Count; ++n) own[n] = wanted_.source[n][i];
+    exec::unroll<scalar_sums>([&](auto n) __attribute__((always_inline)) { sum[n] = Lane(Real(0)); });
+    if (kept.packs <= most_kept) {
+      for (int n = 0; n < kept.packs; ++n) {
+        Weighed p;
+        exec::load(&kept.slope[n][0], p.slope);
+        for (int d = 0; d < Dim; ++d) exec::load(&kept.separation[d][n][0], p.separation[d]);
+        add(p, kept.j[n], weight, own, sum);
+      }
+    } else {
+      pairs_.visit(
+          i, [&](const auto& pair) __attribute__((always_inline)) { add(weighed(pair), pair.j, weight, own, sum); });
+    }
+    exec::sum_lanes(sum, total);
+  }
+
+  [[gnu::always_inline]] MESOGEN_HOST_DEVICE void add(const Weighed& p, Index j, const Real* weight, const Real* own,
+                                                      Lane* sum) const {
+    const Lane laplacian = fit_.laplacian(p, weight);
+    Lane gradient[Dim];
+    exec::unroll<Dim>([&](auto d) __attribute__((always_inline)) { gradient[d] = p.slope * p.separation[d]; });
+    exec::unroll<Count>([&](auto n) __attribute__((always_inline)) {
+      Lane difference;
+      exec::load(wanted_.source[n] + j, difference);
+      difference = difference - Lane(own[n]);
+      constexpr int at = n * per_scalar;
+      exec::unroll<Dim>([&](auto d)
+                            __attribute__((always_inline)) { sum[at + d] = sum[at + d] + gradient[d] * difference; });
+      sum[at + Dim] = sum[at + Dim] + laplacian * difference;
+    });
+  }
+
+  MESOGEN_HOST_DEVICE void finish(const Lane* sum, const Lane* weight, Index first, int members) const {
+    for (int n = 0; n < Count; ++n, sum += per_scalar) {
+      if (wanted_.laplacian[n] != nullptr) put(sum[Dim], wanted_.laplacian[n] + first, members);
+      if (wanted_.gradient[n][0] == nullptr) continue;
+      for (int a = 0; a < Dim; ++a) {
+        Lane component(Real(0));
+        for (int b = 0; b < Dim; ++b) component = component + weight[Fit::correction + a * Dim + b] * sum[b];
+        put(component, wanted_.gradient[n][a] + first, members);
+      }
+    }
+  }
+
+  Pairs<Real, Dim, Kernel> pairs_;
+  Fit fit_;
+  Derivatives<Real, Dim> wanted_;
+  Index particles_;
 };
+
+template <class Real, int Dim, int Count, class Fit>
+void run_derivatives_with(const exec::Space& space, const Neighbours<Real, Dim>& neighbours,
+                          const SmoothingKernel& kernel, const Fit& fit, const Derivatives<Real, Dim>& wanted) {
+  with_kernel_function<Real>(kernel, [&](const auto& function) {
+    using Kernel = std::decay_t<decltype(function)>;
+    using Loop = DerivativeLoop<Real, Dim, Count, Fit, Kernel>;
+    exec::for_each(space, (neighbours.particle_count + Loop::group - 1) / Loop::group,
+                   Loop({neighbours, function}, fit, wanted, neighbours.particle_count));
+  });
+}
 
 template <class Real, int Dim, int Count>
 void run_derivatives_of(const exec::Space& space, const Neighbours<Real, Dim>& neighbours,
                         const SmoothingKernel& kernel, const Derivatives<Real, Dim>& wanted) {
   if constexpr (Count > 0) {
     if (wanted.consistent)
-      return pair_sum<Real, Dim>(space, neighbours, kernel,
-                                 ConsistentDerivativePass<Real, Dim, Count>{wanted, Real(kernel.smoothing_length)});
+      return run_derivatives_with<Real, Dim, Count>(space, neighbours, kernel,
+                                                    ConsistentFit<Real>{Real(kernel.smoothing_length)}, wanted);
   }
-  pair_sum<Real, Dim>(space, neighbours, kernel, DerivativePass<Real, Dim, Count>{wanted});
+  run_derivatives_with<Real, Dim, Count>(space, neighbours, kernel, PlainFit<Real, Dim>{}, wanted);
 }
 
 template <class Real, int Dim>

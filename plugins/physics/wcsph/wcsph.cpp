@@ -116,9 +116,11 @@ class Wcsph final : public Physics {
     continuity(list);
     const bool filters = filter_ > 0.0;
     if (filters) density_filter(list);
-    if (shift_ > 0.0 && !fixed) {
-      shift_speed_ == "spread" ? shift<true>(list) : shift<false>(list);
-    }
+    const bool shifts = shift_ > 0.0 && !fixed;
+    // What most scenes have shares one loop over the pairs.
+    const bool together =
+        shifts && shift_speed_ == "strain" && viscosity_form_ == "component" && pressure_form_ == "corrected";
+    if (shifts && !together) shift_speed_ == "spread" ? shift<true>(list) : shift<false>(list);
     const std::string compression = filters ? "compression_filtered" : "compression_midpoint";
     list.pass("equation of state")
         .reads({compression})
@@ -129,17 +131,12 @@ class Wcsph final : public Physics {
                                                       context.write<Real>("pressure_term"), Real(density_ * c0_ * c0_),
                                                       Real(density_)});
         });
-    Pass& momentum = list.pass("pressure and viscosity");
-    if (viscosity_form_ == "component") {
-      momentum.reads({"velocity_laplacian"});
+    if (together) {
+      shift_and_momentum(list);
+    } else if (viscosity_form_ == "component") {
+      pressure_form_ == "conservative" ? momentum<false, true>(list) : momentum<false, false>(list);
     } else {
-      momentum.reads_neighbours({"velocity"});
-    }
-    const bool conservative = pressure_form_ == "conservative";
-    if (viscosity_form_ == "component") {
-      conservative ? this->momentum<false, true>(momentum) : this->momentum<false, false>(momentum);
-    } else {
-      conservative ? this->momentum<true, true>(momentum) : this->momentum<true, false>(momentum);
+      pressure_form_ == "conservative" ? momentum<true, true>(list) : momentum<true, false>(list);
     }
     if (filters && feedback_) {
       list.pass("filter feedback")
@@ -222,47 +219,72 @@ class Wcsph final : public Physics {
 
   template <bool BySpread>
   void shift(PassList& list) {
-    Pass& pass = list.pass("shift").accumulates({"shift_velocity"});
-    if constexpr (BySpread) {
-      pass.reads_neighbours({"velocity"});
-    } else {
-      pass.reads({"velocity_gradient"});
-    }
-    pass.run([this](const PassContext& context) {
-      wcsph::Shift<Real, Dim, BySpread> sums{};
-      if constexpr (BySpread) {
-        sums.velocity = context.read<Real>("velocity");
-      } else {
-        sums.velocity_gradient = context.read<Real>("velocity_gradient");
-      }
-      sums.shift = context.write<Real>("shift_velocity");
-      sums.strength = Real(shift_);
-      sums.smoothing_length = Real(context.scene().smoothing_length);
-      sph::pair_sum(context.space(), context.neighbours<Real, Dim>(), context.kernel(), sums);
+    declare_shift<BySpread>(list.pass("shift")).run([this](const PassContext& context) {
+      sph::pair_sum(context.space(), context.neighbours<Real, Dim>(), context.kernel(), shift_sums<BySpread>(context));
     });
   }
 
   template <bool Radial, bool Conservative>
-  void momentum(Pass& pass) {
-    pass.reads({"density", "correction"})
-        .reads_neighbours({"pressure_term", "volume"})
-        .accumulates({"acceleration"})
-        .run([this](const PassContext& context) {
-          wcsph::Momentum<Real, Dim, Radial, Conservative> sums{};
-          sums.volume = context.read<Real>("volume");
-          sums.pressure_term = context.read<Real>("pressure_term");
-          sums.density = context.read<Real>("density");
-          sums.correction = context.read<Real>("correction");
-          if constexpr (Radial) {
-            sums.velocity = context.read<Real>("velocity");
-          } else {
-            sums.velocity_laplacian = context.read<Real>("velocity_laplacian");
-          }
-          sums.acceleration = context.write<Real>("acceleration");
-          sums.viscosity = Real(viscosity_);
-          sums.mass = Real(mass_);
-          sph::pair_sum(context.space(), context.neighbours<Real, Dim>(), context.kernel(), sums);
-        });
+  void momentum(PassList& list) {
+    declare_momentum<Radial>(list.pass("pressure and viscosity")).run([this](const PassContext& context) {
+      sph::pair_sum(context.space(), context.neighbours<Real, Dim>(), context.kernel(),
+                    momentum_sums<Radial, Conservative>(context));
+    });
+  }
+
+  void shift_and_momentum(PassList& list) {
+    Pass& pass = list.pass("pressure, viscosity and shift");
+    declare_shift<false>(pass);
+    declare_momentum<false>(pass).run([this](const PassContext& context) {
+      using Shift = wcsph::Shift<Real, Dim, false>;
+      using Momentum = wcsph::Momentum<Real, Dim, false, false>;
+      sph::pair_sum(context.space(), context.neighbours<Real, Dim>(), context.kernel(),
+                    sph::Together<Shift, Momentum>{shift_sums<false>(context), momentum_sums<false, false>(context)});
+    });
+  }
+
+  template <bool BySpread>
+  static Pass& declare_shift(Pass& pass) {
+    pass.accumulates({"shift_velocity"});
+    return BySpread ? pass.reads_neighbours({"velocity"}) : pass.reads({"velocity_gradient"});
+  }
+
+  template <bool BySpread>
+  wcsph::Shift<Real, Dim, BySpread> shift_sums(const PassContext& context) const {
+    wcsph::Shift<Real, Dim, BySpread> sums{};
+    if constexpr (BySpread) {
+      sums.velocity = context.read<Real>("velocity");
+    } else {
+      sums.velocity_gradient = context.read<Real>("velocity_gradient");
+    }
+    sums.shift = context.write<Real>("shift_velocity");
+    sums.strength = Real(shift_);
+    sums.smoothing_length = Real(context.scene().smoothing_length);
+    return sums;
+  }
+
+  template <bool Radial>
+  static Pass& declare_momentum(Pass& pass) {
+    pass.reads({"density", "correction"}).reads_neighbours({"pressure_term", "volume"}).accumulates({"acceleration"});
+    return Radial ? pass.reads_neighbours({"velocity"}) : pass.reads({"velocity_laplacian"});
+  }
+
+  template <bool Radial, bool Conservative>
+  wcsph::Momentum<Real, Dim, Radial, Conservative> momentum_sums(const PassContext& context) const {
+    wcsph::Momentum<Real, Dim, Radial, Conservative> sums{};
+    sums.volume = context.read<Real>("volume");
+    sums.pressure_term = context.read<Real>("pressure_term");
+    sums.density = context.read<Real>("density");
+    sums.correction = context.read<Real>("correction");
+    if constexpr (Radial) {
+      sums.velocity = context.read<Real>("velocity");
+    } else {
+      sums.velocity_laplacian = context.read<Real>("velocity_laplacian");
+    }
+    sums.acceleration = context.write<Real>("acceleration");
+    sums.viscosity = Real(viscosity_);
+    sums.mass = Real(mass_);
+    return sums;
   }
 
   double density_ = 0.0;

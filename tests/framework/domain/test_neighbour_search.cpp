@@ -20,8 +20,31 @@ using FoundPair = std::tuple<std::int64_t, std::int64_t, std::int64_t, std::int6
 
 std::int64_t rounded(double separation, double radius) { return std::llround(separation / radius * 1e9); }
 
-/// As pair sums see them.
-std::vector<FoundPair> pairs_in_grid(World& world) {
+/// As pair sums see them: by blocks on the host, by segments on a device.
+enum class Form { blocks, segments };
+
+template <class Action>
+void visit_runs(const Neighbours<double, 2>& grid, Index i, Form form, const Action& action) {
+  if (form == Form::blocks) {
+    for (auto n = grid.block_begin[i]; n < grid.block_begin[i + 1]; ++n) {
+      const NeighbourBlock& block = grid.block[n];
+      EXPECT_GT(block.lanes, 0);
+      EXPECT_LE(block.lanes, NeighbourBlock::width<double>);
+      action(block.first, block.first + block.lanes, grid.offset[0][NeighbourBlock::most_shift + block.shift[0]],
+             grid.offset[1][NeighbourBlock::most_shift + block.shift[1]]);
+    }
+    return;
+  }
+  int at[2];
+  grid.cell_coordinates(grid.cell_of[i], at);
+  Segment<double, 2> segment[Neighbours<double, 2>::most_segments];
+  const int segments = grid.segments(at, segment);
+  EXPECT_LE(segments, (Neighbours<double, 2>::most_segments));
+  for (int s = 0; s < segments; ++s)
+    action(segment[s].begin, segment[s].end, segment[s].offset[0], segment[s].offset[1]);
+}
+
+std::vector<FoundPair> pairs_in_grid(World& world, Form form) {
   world.settle();
   Neighbours<double, 2> grid{};
   world.neighbourhood.fill(grid);
@@ -30,21 +53,16 @@ std::vector<FoundPair> pairs_in_grid(World& world) {
   const double radius = world.scene.support;
   std::vector<FoundPair> pairs;
   for (Index i = 0; i < count; ++i) {
-    int at[2];
-    grid.cell_coordinates(grid.cell_of[i], at);
-    Segment<double, 2> segment[Neighbours<double, 2>::most_segments];
-    const int segments = grid.segments(at, segment);
-    EXPECT_LE(segments, (Neighbours<double, 2>::most_segments));
-    for (int s = 0; s < segments; ++s) {
-      for (Index j = segment[s].begin; j < segment[s].end; ++j) {
-        const double x = grid.local[0][i] - segment[s].offset[0] - grid.local[0][j];
-        const double y = grid.local[1][i] - segment[s].offset[1] - grid.local[1][j];
+    visit_runs(grid, i, form, [&](Index begin, Index end, double across, double up) {
+      for (Index j = begin; j < end; ++j) {
+        const double x = grid.local[0][i] - across - grid.local[0][j];
+        const double y = grid.local[1][i] - up - grid.local[1][j];
         if (std::hypot(x, y) >= radius) continue;
         const Index real = j < count ? j : copies.source[static_cast<std::size_t>(j - count)];
         pairs.emplace_back(world.particles.id[static_cast<std::size_t>(i)],
                            world.particles.id[static_cast<std::size_t>(real)], rounded(x, radius), rounded(y, radius));
       }
-    }
+    });
   }
   std::sort(pairs.begin(), pairs.end());
   return pairs;
@@ -73,14 +91,16 @@ std::vector<FoundPair> pairs_by_trial(const World& world) {
 
 /// The same pairs, each found once. Separations agree to a part in 1e9, which may round to neighbouring numbers.
 void expect_all_pairs(World& world) {
-  const auto found = pairs_in_grid(world);
   const auto expected = pairs_by_trial(world);
-  ASSERT_EQ(found.size(), expected.size());
-  for (std::size_t n = 0; n < found.size(); ++n) {
-    ASSERT_EQ(std::get<0>(found[n]), std::get<0>(expected[n]));
-    ASSERT_EQ(std::get<1>(found[n]), std::get<1>(expected[n]));
-    ASSERT_NEAR(static_cast<double>(std::get<2>(found[n])), static_cast<double>(std::get<2>(expected[n])), 1.0);
-    ASSERT_NEAR(static_cast<double>(std::get<3>(found[n])), static_cast<double>(std::get<3>(expected[n])), 1.0);
+  for (const Form form : {Form::blocks, Form::segments}) {
+    const auto found = pairs_in_grid(world, form);
+    ASSERT_EQ(found.size(), expected.size());
+    for (std::size_t n = 0; n < found.size(); ++n) {
+      ASSERT_EQ(std::get<0>(found[n]), std::get<0>(expected[n]));
+      ASSERT_EQ(std::get<1>(found[n]), std::get<1>(expected[n]));
+      ASSERT_NEAR(static_cast<double>(std::get<2>(found[n])), static_cast<double>(std::get<2>(expected[n])), 1.0);
+      ASSERT_NEAR(static_cast<double>(std::get<3>(found[n])), static_cast<double>(std::get<3>(expected[n])), 1.0);
+    }
   }
 }
 
@@ -162,6 +182,24 @@ TEST_P(NeighbourSearch, StaysRightWhenParticlesLeaveTheBox) {
     expect_all_pairs(scene.world());
   }
   EXPECT_EQ(scene.world().neighbourhood.sortings(), 5);
+}
+
+TEST_P(NeighbourSearch, BlocksHoldLittleButNeighbours) {
+  const auto at = options(60.0, 60.0);
+  ParticleScene scene(at, jittered(60, 60, 1.0, 0.2));
+  World& world = scene.world();
+  world.settle();
+  Neighbours<double, 2> grid{};
+  world.neighbourhood.fill(grid);
+  const auto count = static_cast<double>(world.particles.count());
+  const auto neighbours = static_cast<double>(pairs_in_grid(world, Form::blocks).size()) / count;
+  const auto blocks = static_cast<double>(grid.block_begin[world.particles.count()]) / count;
+  EXPECT_GT(neighbours, 48.0);
+  EXPECT_LT(blocks * NeighbourBlock::width<double> / neighbours, 1.65);
+  EXPECT_NEAR(NeighbourBlocks::expected(world.scene.support + world.neighbourhood.skin(), grid.width[1],
+                                        NeighbourBlock::width<double>) /
+                  blocks,
+              1.0, 0.05);
 }
 
 INSTANTIATE_TEST_SUITE_P(Boundaries, NeighbourSearch, testing::Values("periodic_ghosts", "periodic_wrap"),

@@ -5,38 +5,56 @@
 namespace mesogen {
 
 /// A run of particles that lie behind each other in storage, and how their coordinates relate to those of the cell
-/// that looks at them: r_i - r_j = (local_i - offset) - local_j.
+/// that looks at them: r_i - r_j = (local_i - offset) - local_j, offset = shift * width of a cell.
 template <class Real, int Dim>
 struct Segment {
   Index begin;
   Index end;
+  int shift[Dim];
   Real offset[Dim];
+};
+
+/// A few neighbours of one particle that lie behind each other in storage: what a pair sum handles at a time.
+struct NeighbourBlock {
+  /// How many they are at most: as many as the widest pack holds.
+  template <class Real>
+  static constexpr int width = 64 / sizeof(Real);
+  static constexpr int most_dimensions = 3;
+  static constexpr int most_shift = 127;
+
+  Index first;
+  std::int8_t lanes;                   ///< how many they are
+  std::int8_t shift[most_dimensions];  ///< in cells, as in Segment
 };
 
 /// Where each particle's neighbours are: the cell grid as a pair pass sees it. Trivially copyable.
 ///
-/// Particles are stored by cell. Cells are narrow along x and as high as the support across it, so the neighbours of a
-/// particle are three short runs of contiguous storage in 2D (nine in 3D), read without a list. Coordinates are kept
-/// relative to a tile (a group of cells of one row): small numbers, so that float stays exact however large the box is
-/// or however far it lies from the origin. The same offsets carry periodic images, so a wrapped box needs no minimum
-/// image in the loop, and boundary copies are no special case: they are cells like others, outside the box.
+/// Particles are stored by cell. Cells are narrow along x and half as high as the support across it, so the neighbours
+/// of a particle are five short runs of contiguous storage in 2D (25 in 3D). Where in these runs the particles within
+/// reach begin and end is found once a sorting and kept, cut into blocks. Coordinates are kept relative to a tile (a
+/// group of cells of one row): small numbers, so that float stays exact however large the box is or however far it lies
+/// from the origin. The same offsets carry periodic images, so a wrapped box needs no minimum image in the loop, and
+/// boundary copies are no special case: they are cells like others, outside the box.
 template <class Real, int Dim>
 struct Neighbours {
   const Real* local[Dim];  ///< particle coordinates relative to the tile of their cell, m
   const Index* cell_begin;
   const Index* cell_end;
-  const Index* cell_of;  ///< for each particle, the number of its cell inside the box
-  Index particle_count;  ///< real particles
-  int cells[Dim];        ///< cells inside the box
-  int padding[Dim];      ///< layers of cells outside it on either side, for boundary copies
-  int reach[Dim];        ///< how many cells away a neighbour can be
-  bool wrapped[Dim];     ///< does the grid continue on the other side?
-  double width[Dim];     ///< of a cell, m
-  int tile;              ///< cells in a tile, along x
-  Real radius;           ///< support of the kernel, m
-  Real smallest;         ///< added to the square of a distance, so that 1/r is finite for a particle and itself, m^2
+  const Index* cell_of;             ///< for each particle, the number of its cell inside the box
+  const std::int64_t* block_begin;  ///< for each particle, the first of its blocks; one more at the end
+  const NeighbourBlock* block;      ///< together they hold each particle within the support once, itself included
+  const Real* offset[Dim];          ///< by shift of a block, from most_shift below zero to as many above
+  Index particle_count;             ///< real particles
+  int cells[Dim];                   ///< cells inside the box
+  int padding[Dim];                 ///< layers of cells outside it on either side, for boundary copies
+  int reach[Dim];                   ///< how many cells away a neighbour can be
+  bool wrapped[Dim];                ///< does the grid continue on the other side?
+  double width[Dim];                ///< of a cell, m
+  int tile;                         ///< cells in a tile, along x
+  Real radius;                      ///< support of the kernel, m
+  Real smallest;  ///< added to the square of a distance, so that 1/r is finite for a particle and itself, m^2
 
-  static constexpr int most_segments = Dim == 2 ? 24 : 96;
+  static constexpr int most_segments = Dim == 2 ? 24 : 120;
 
   [[nodiscard]] MESOGEN_HOST_DEVICE int cell_count() const {
     int n = 1;
@@ -62,7 +80,7 @@ struct Neighbours {
   /// All runs of particles within reach of a cell; returns their number.
   MESOGEN_HOST_DEVICE int segments(const int (&centre)[Dim], Segment<Real, Dim>* out) const {
     int count = 0;
-    const double origin = tile_of(centre[0]).origin;
+    const int origin = tile_of(centre[0]).first;
     int row[Dim];
     if constexpr (Dim == 2) {
       for (row[1] = -reach[1]; row[1] <= reach[1]; ++row[1]) count = add_row(centre, row, origin, out, count);
@@ -73,32 +91,32 @@ struct Neighbours {
     return count;
   }
 
-  /// A group of cells [first, last] along x that share an origin, the one that holds cell `at`. `first_stored` is the
-  /// cell where `first` is stored: another one if the grid wraps.
+  /// A group of cells [first, last] along x whose coordinates begin with the first, the one that holds cell `at`.
+  /// `first_stored` is the cell where `first` is stored: another one if the grid wraps.
   struct Tile {
     int first;
     int last;
     int first_stored;
-    double origin;
   };
   [[nodiscard]] MESOGEN_HOST_DEVICE Tile tile_of(int at) const {
     const int n = cells[0];
-    if (!wrapped[0] && at < 0) return {-padding[0], -1, -padding[0], -padding[0] * width[0]};
-    if (!wrapped[0] && at >= n) return {n, n + padding[0] - 1, n, n * width[0]};
+    if (!wrapped[0] && at < 0) return {-padding[0], -1, -padding[0]};
+    if (!wrapped[0] && at >= n) return {n, n + padding[0] - 1, n};
     int image = at / n;
     if (at < image * n) --image;
     const int stored = (at - image * n) / tile * tile;
     const int first = image * n + stored;
     const int last = first + tile < (image + 1) * n ? first + tile - 1 : (image + 1) * n - 1;
-    return {first, last, stored, first * width[0]};
+    return {first, last, stored};
   }
 
  private:
-  MESOGEN_HOST_DEVICE int add_row(const int (&centre)[Dim], const int (&row)[Dim], double origin,
-                                  Segment<Real, Dim>* out, int count) const {
+  MESOGEN_HOST_DEVICE int add_row(const int (&centre)[Dim], const int (&row)[Dim], int origin, Segment<Real, Dim>* out,
+                                  int count) const {
     int at[Dim];
     Segment<Real, Dim> segment{};
     for (int d = 1; d < Dim; ++d) {
+      segment.shift[d] = row[d];
       segment.offset[d] = Real(row[d] * width[d]);
       at[d] = centre[d] + row[d];
       if (wrapped[d]) at[d] = ((at[d] % cells[d]) + cells[d]) % cells[d];
@@ -111,7 +129,8 @@ struct Neighbours {
       segment.begin = cell_begin[cell_index(at)];
       at[0] = t.first_stored + (last - t.first);
       segment.end = cell_end[cell_index(at)];
-      segment.offset[0] = Real(t.origin - origin);
+      segment.shift[0] = t.first - origin;
+      segment.offset[0] = Real(segment.shift[0] * width[0]);
       if (segment.begin < segment.end) out[count++] = segment;
       from = last + 1;
     }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cmath>
+#include <type_traits>
 
 #include "mesogen/exec/unroll.hpp"
 #include "mesogen/export.hpp"
@@ -25,6 +26,14 @@ namespace stdx = std::experimental;
 template <class Real>
 using Pack = stdx::native_simd<Real>;
 
+template <class Real, class Abi>
+[[gnu::always_inline]] inline void load(const Real* from, stdx::simd<Real, Abi>& lanes) {
+  lanes.copy_from(from, stdx::element_aligned);
+}
+template <class Real, class Abi>
+[[gnu::always_inline]] inline void store(const stdx::simd<Real, Abi>& lanes, Real* to) {
+  lanes.copy_to(to, stdx::element_aligned);
+}
 template <class Real, class Abi>
 [[gnu::always_inline]] inline stdx::simd<Real, Abi> positive_part(const stdx::simd<Real, Abi>& x) {
   return stdx::max(x, stdx::simd<Real, Abi>(Real(0)));
@@ -87,14 +96,20 @@ template <class Real, class Abi>
 /// total[n] = sum over the lanes of packs[n]; the order of the additions is fixed.
 template <int Count, class Lane, class Real>
 [[gnu::always_inline]] inline void sum_lanes(const Lane (&packs)[Count], Real* total) {
-#ifdef __AVX512F__
-  if constexpr (sizeof(Lane) == 64 && sizeof(Real) == 4) {
+#ifdef __AVX__
+  if constexpr (sizeof(Lane) >= 32 && sizeof(Real) == 4) {
     const auto quarter = [&](auto n) __attribute__((always_inline)) {
       if constexpr (n >= Count) {
         return _mm_setzero_ps();
       } else {
-        const auto z = static_cast<__m512>(packs[n]);
-        const __m256 y = _mm256_add_ps(_mm512_castps512_ps256(z), _mm512_extractf32x8_ps(z, 1));
+        __m256 y;
+#ifdef __AVX512F__
+        if constexpr (sizeof(Lane) == 64) {
+          const auto z = static_cast<__m512>(packs[n]);
+          y = _mm256_add_ps(_mm512_castps512_ps256(z), _mm512_extractf32x8_ps(z, 1));
+        } else
+#endif
+          y = static_cast<__m256>(packs[n]);
         return _mm_add_ps(_mm256_castps256_ps128(y), _mm256_extractf128_ps(y, 1));
       }
     };
@@ -113,6 +128,17 @@ template <int Count, class Lane, class Real>
 }
 
 #endif
+
+/// The same of lanes that are numbers themselves.
+MESOGEN_HOST_DEVICE inline void load(const float* from, float& lane) { lane = *from; }
+MESOGEN_HOST_DEVICE inline void load(const double* from, double& lane) { lane = *from; }
+MESOGEN_HOST_DEVICE inline void store(float lane, float* to) { *to = lane; }
+MESOGEN_HOST_DEVICE inline void store(double lane, double* to) { *to = lane; }
+template <int Count, class Real>
+MESOGEN_HOST_DEVICE inline void sum_lanes(const Real (&lanes)[Count],
+                                          Real* total) requires std::is_floating_point_v<Real> {
+  for (int n = 0; n < Count; ++n) total[n] = lanes[n];
+}
 
 MESOGEN_HOST_DEVICE inline float positive_part(float x) { return x > 0.0F ? x : 0.0F; }
 MESOGEN_HOST_DEVICE inline double positive_part(double x) { return x > 0.0 ? x : 0.0; }

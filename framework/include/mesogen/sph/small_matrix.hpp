@@ -1,8 +1,9 @@
 #pragma once
 
-#include "mesogen/export.hpp"
+#include "mesogen/exec/lanes.hpp"
 
-/// The little linear algebra of a particle: symmetric Dim x Dim matrices from their upper triangle.
+/// The little linear algebra of a particle, or of a pack of particles: symmetric Dim x Dim matrices from their upper
+/// triangle.
 namespace mesogen::sph {
 
 template <int Dim>
@@ -16,34 +17,47 @@ MESOGEN_HOST_DEVICE constexpr int symmetric_index(int row, int column) {
   return r * Dim - r * (r - 1) / 2 + c - r;
 }
 
-/// inverse = matrix^-1, both Dim x Dim row by row; the identity where the matrix is singular.
-template <class Real, int Dim>
-MESOGEN_HOST_DEVICE void invert_symmetric(const Real* upper, Real* inverse) {
+namespace detail {
+
+/// 1 / determinant, or zero where the matrix is singular (`unit` is 1 there, else zero).
+template <class Number, class Real>
+[[gnu::always_inline]] MESOGEN_HOST_DEVICE inline Number inverse_determinant(const Number& determinant, Real,
+                                                                             Number& unit) {
+  const Number size = exec::positive_part(determinant) + exec::positive_part(Number(Real(0)) - determinant);
+  const Number limit(Real(1e-6));
+  const Number one(Real(1));
+  unit = one - exec::where_less(limit, size, one);
+  return exec::where_less(limit, size, one / determinant);
+}
+
+}  // namespace detail
+
+/// inverse = matrix^-1, both Dim x Dim row by row; the identity where the matrix is singular. `Number` is Real or a
+/// pack of them.
+template <class Real, int Dim, class Number>
+MESOGEN_HOST_DEVICE void invert_symmetric(const Number* upper, Number* inverse) {
+  Number unit;
   if constexpr (Dim == 2) {
-    const Real a = upper[0];
-    const Real b = upper[1];
-    const Real c = upper[2];
-    const Real determinant = a * c - b * b;
-    const bool singular = !(determinant > Real(1e-6) || determinant < Real(-1e-6));
-    const Real scale = singular ? Real(0) : Real(1) / determinant;
-    inverse[0] = singular ? Real(1) : c * scale;
-    inverse[1] = inverse[2] = -b * scale;
-    inverse[3] = singular ? Real(1) : a * scale;
+    const Number& a = upper[0];
+    const Number& b = upper[1];
+    const Number& c = upper[2];
+    const Number scale = detail::inverse_determinant(a * c - b * b, Real(), unit);
+    inverse[0] = c * scale + unit;
+    inverse[1] = inverse[2] = Number(Real(0)) - b * scale;
+    inverse[3] = a * scale + unit;
   } else {
     static_assert(Dim == 3);
-    const Real a = upper[0], b = upper[1], c = upper[2], d = upper[3], e = upper[4], f = upper[5];
-    const Real minor_a = d * f - e * e;
-    const Real minor_b = c * e - b * f;
-    const Real minor_c = b * e - c * d;
-    const Real determinant = a * minor_a + b * minor_b + c * minor_c;
-    const bool singular = !(determinant > Real(1e-6) || determinant < Real(-1e-6));
-    const Real scale = singular ? Real(0) : Real(1) / determinant;
-    inverse[0] = singular ? Real(1) : minor_a * scale;
+    const Number &a = upper[0], &b = upper[1], &c = upper[2], &d = upper[3], &e = upper[4], &f = upper[5];
+    const Number minor_a = d * f - e * e;
+    const Number minor_b = c * e - b * f;
+    const Number minor_c = b * e - c * d;
+    const Number scale = detail::inverse_determinant(a * minor_a + b * minor_b + c * minor_c, Real(), unit);
+    inverse[0] = minor_a * scale + unit;
     inverse[1] = inverse[3] = minor_b * scale;
     inverse[2] = inverse[6] = minor_c * scale;
-    inverse[4] = singular ? Real(1) : (a * f - c * c) * scale;
+    inverse[4] = (a * f - c * c) * scale + unit;
     inverse[5] = inverse[7] = (b * c - a * e) * scale;
-    inverse[8] = singular ? Real(1) : (a * d - b * b) * scale;
+    inverse[8] = (a * d - b * b) * scale + unit;
   }
 }
 

@@ -1,0 +1,131 @@
+#pragma once
+
+#include "mesogen/domain/neighbours.hpp"
+#include "mesogen/exec/lanes.hpp"
+#include "mesogen/exec/unroll.hpp"
+
+namespace mesogen::sph {
+
+/// One pair, or one pack of pairs (i, j), (i, j + 1), ... What a pass does not ask for is not computed.
+template <class Real, int Dim, class LaneType, class Kernel>
+struct Pair {
+  using Lane = LaneType;
+
+  Lane separation[Dim];   ///< r_i - r_j, m
+  Lane distance;          ///< |r_i - r_j|, m; never exactly zero
+  Lane inverse_distance;  ///< 1 / distance, 1/m
+  const Kernel& kernel;
+  Real radius;
+  Index j;
+
+  /// Value of a field at j.
+  [[gnu::always_inline]] MESOGEN_HOST_DEVICE Lane load(const FieldView<const Real>& field, int component = 0) const {
+    return load_from(field.base + component * field.stride + j);
+  }
+  /// W(r_ij), 1/m^Dim.
+  [[gnu::always_inline]] MESOGEN_HOST_DEVICE Lane value() const { return kernel.value(distance); }
+  /// W'(r_ij) / r_ij: times the separation it is the gradient of W with respect to r_i. 1/m^(Dim + 2), negative.
+  [[gnu::always_inline]] MESOGEN_HOST_DEVICE Lane gradient() const {
+    return kernel.derivative(distance) * inverse_distance;
+  }
+  /// The given lane where j is within the support, zero elsewhere: for sums that the kernel does not weight.
+  [[gnu::always_inline]] MESOGEN_HOST_DEVICE Lane inside(const Lane& x) const {
+    return exec::where_less(distance, Lane(radius), x);
+  }
+
+ private:
+  [[gnu::always_inline]] MESOGEN_HOST_DEVICE static Lane load_from(const Real* from) {
+    Lane lane;
+    exec::load(from, lane);
+    return lane;
+  }
+
+ public:
+  /// `at`: r_i in the coordinates of j. `least_square`: added to the square of the distance.
+  [[gnu::always_inline]] MESOGEN_HOST_DEVICE Pair(const Neighbours<Real, Dim>& n, const Kernel& k, Index first,
+                                                  const Lane (&at)[Dim], const Lane& least_square)
+      : kernel(k), radius(n.radius), j(first) {
+    Lane square = least_square;
+    exec::unroll<Dim>([&](auto d) {
+      separation[d] = at[d] - load_from(n.local[d] + first);
+      square = separation[d] * separation[d] + square;
+    });
+    inverse_distance = exec::inverse_square_root(square);
+    distance = square * inverse_distance;
+  }
+};
+
+/// All pairs of a particle, one after the other: a pack at a time on the host, one by one on a device. Trivially
+/// copyable.
+template <class Real, int Dim, class Kernel>
+class Pairs {
+ public:
+#ifdef __CUDACC__
+  using Lane = Real;
+
+  Pairs(const Neighbours<Real, Dim>& neighbours, const Kernel& kernel) : neighbours_(neighbours), kernel_(kernel) {}
+
+  /// action(pair) for every pair (i, j) within the support, (i, i) among them, and some beyond it.
+  template <class Action>
+  MESOGEN_HOST_DEVICE void visit(Index i, const Action& action) const {
+    int at[Dim];
+    neighbours_.cell_coordinates(neighbours_.cell_of[i], at);
+    Segment<Real, Dim> segment[Neighbours<Real, Dim>::most_segments];
+    const int count = neighbours_.segments(at, segment);
+    for (int s = 0; s < count; ++s) {
+      Real position[Dim];
+      for (int d = 0; d < Dim; ++d) position[d] = neighbours_.local[d][i] - segment[s].offset[d];
+      for (Index j = segment[s].begin; j < segment[s].end; ++j)
+        action(Pair<Real, Dim, Real, Kernel>(neighbours_, kernel_, j, position, neighbours_.smallest));
+    }
+  }
+#else
+  using Lane = exec::Pack<Real>;
+
+  Pairs(const Neighbours<Real, Dim>& neighbours, const Kernel& kernel) : neighbours_(neighbours), kernel_(kernel) {
+    for (int lane = 0; lane < width; ++lane) {
+      least_square_[lane] = neighbours.smallest;
+      least_square_[width + lane] = Real(16) * neighbours.radius * neighbours.radius;
+    }
+  }
+
+  /// action(pack) for packs that hold every pair (i, j) within the support, (i, i) among them, and some beyond it.
+  template <class Action>
+  [[gnu::always_inline]] void visit(Index i, const Action& action) const {
+    const std::int64_t end = neighbours_.block_begin[i + 1];
+    for (std::int64_t block = neighbours_.block_begin[i]; block < end; ++block)
+      visit_block(
+          i, neighbours_.block[block], [&](int, const auto& pack) __attribute__((always_inline)) { action(pack); });
+  }
+
+  /// action(lane, pack) for the packs of one block, lane by lane.
+  template <class Action>
+  [[gnu::always_inline]] void visit_block(Index i, const NeighbourBlock& block, const Action& action) const {
+    Lane position[Dim];
+    exec::unroll<Dim>([&](auto d) __attribute__((always_inline)) {
+      position[d] =
+          Lane(neighbours_.local[d][i]) - Lane(neighbours_.offset[d][NeighbourBlock::most_shift + block.shift[d]]);
+    });
+    for (int lane = 0; lane < width; lane += int(Lane::size())) {
+      if (lane > 0 && lane >= block.lanes) break;
+      Lane least;
+      exec::load(least_square_ + width - block.lanes + lane, least);
+      action(lane, Pair<Real, Dim, Lane, Kernel>(neighbours_, kernel_, block.first + lane, position, least));
+    }
+  }
+
+ private:
+  static constexpr int width = NeighbourBlock::width<Real>;
+  static_assert(width % Lane::size() == 0);
+#endif
+
+ private:
+  Neighbours<Real, Dim> neighbours_;
+  Kernel kernel_;
+#ifndef __CUDACC__
+  // Lanes past the end of a block hold other particles, in the coordinates of another tile: moved out of reach.
+  Real least_square_[2 * width];
+#endif
+};
+
+}  // namespace mesogen::sph
