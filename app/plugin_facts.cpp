@@ -114,6 +114,7 @@ std::string_view to_string(Phase phase) {
     case Phase::begin: return "begin";
     case Phase::rates: return "rates";
     case Phase::end: return "end";
+    case Phase::observe: return "observe";
   }
   return "";
 }
@@ -123,6 +124,7 @@ std::string advance_text(const FieldDeclaration& field) {
     case Advance::never: return "";
     case Advance::midpoint: return "advanced with " + field.rate;
     case Advance::predicted: return "predicted and corrected with " + field.rate;
+    case Advance::by_passes: return "advanced by passes of its plugin";
   }
   return "";
 }

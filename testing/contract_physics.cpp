@@ -45,7 +45,7 @@ std::string declaration_problem(const PassList& list) {
     if (pass.name.empty()) return "a pass has no name";
     if (!names.insert(pass.name).second) return fmt::format("two passes are called '{}'", pass.name);
     if (!pass.body) return fmt::format("the pass '{}' does nothing: give it a body with .run(...)", pass.name);
-    if (pass.write_list.empty() && pass.accumulate_list.empty())
+    if (pass.write_list.empty() && pass.accumulate_list.empty() && !pass.at_every_step)
       return fmt::format("the pass '{}' makes no field, so it never runs: name what it writes or accumulates",
                          pass.name);
   }
@@ -69,6 +69,7 @@ std::string run_all(const ContractRun& run, const TestScene& scene, bool with_op
   }
   harness.start();
   harness.run(Phase::end);
+  harness.run(Phase::observe);
   return finite_problem(harness);
 }
 

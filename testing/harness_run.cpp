@@ -44,7 +44,7 @@ std::set<std::string> HarnessRun::seeded_fields() const {
   for (const auto& [name, entry] : setup_->catalogue.all()) {
     const bool by_case = (name == "order_tensor" && source.director.given) ||
                          (name == "velocity" && source.velocity.given) || (name == "colour" && source.colour.given);
-    if (setup_->catalogue.is_state(name) && !by_case && !given_.contains(name)) fields.insert(name);
+    if (setup_->catalogue.outlasts_step(name) && !by_case && !given_.contains(name)) fields.insert(name);
   }
   return fields;
 }

@@ -32,12 +32,28 @@ std::array<double, 3> Neighbourhood::sorted_at(Index i) const {
 
 const std::vector<Index>* Neighbourhood::update(Particles& particles) {
   ++version_;
-  if (!cell_of_.empty() && place(particles.position)) return nullptr;
+  if (!cell_of_.empty() && place(particles.position)) {
+    if (blocks_found_) return nullptr;
+    find_blocks();
+    (void)place(particles.position);
+    return nullptr;
+  }
+  order(particles);
+  find_blocks();
+  return &order_;
+}
+
+const std::vector<Index>& Neighbourhood::reorder(Particles& particles) {
+  ++version_;
+  order(particles);
+  return order_;
+}
+
+void Neighbourhood::order(Particles& particles) {
   sort_particles(particles);
   find_cells();
   make_outside();
-  find_blocks();
-  return &order_;
+  blocks_found_ = false;
 }
 
 void Neighbourhood::restore(const Particles& particles, std::array<std::vector<double>, 3> sorted_position) {
@@ -51,6 +67,7 @@ void Neighbourhood::restore(const Particles& particles, std::array<std::vector<d
 
 // Wherever particles are by now, their blocks are those of the last sorting. Leaves the particles placed there.
 void Neighbourhood::find_blocks() {
+  blocks_found_ = true;
   (void)place(sorted_position_);
   const bool single = scene_.precision == Precision::single_precision;
   if (scene_.dimension == 2) {

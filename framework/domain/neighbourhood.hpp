@@ -29,6 +29,9 @@ class MESOGEN_EXPORT Neighbourhood {
   /// order[n]; particles themselves are already permuted), nullptr if not.
   const std::vector<Index>* update(Particles& particles);
 
+  /// Sorts particles, and finds no neighbours: the next update() does. Returns the new order of storage.
+  const std::vector<Index>& reorder(Particles& particles);
+
   /// The next update() sorts, wherever particles are.
   void forget_order() { cell_of_.clear(); }
 
@@ -56,6 +59,7 @@ class MESOGEN_EXPORT Neighbourhood {
   void fill(Neighbours<Real, Dim>& grid) const;
 
  private:
+  void order(Particles& particles);
   void keep_inside(Particles& particles, Index i) const;
   void sort_particles(Particles& particles);
   void find_cells();
@@ -82,6 +86,7 @@ class MESOGEN_EXPORT Neighbourhood {
   std::vector<Index> cell_begin_;  // by padded cell
   std::vector<Index> cell_end_;
   NeighbourBlocks blocks_;
+  bool blocks_found_ = false;
   Copies copies_;
   Dummies dummies_;
   std::array<std::vector<double>, 3> outside_origin_;  // of the tile of each copy or dummy

@@ -1,6 +1,7 @@
 #include "forecast/advice.hpp"
 
 #include "forecast/advice_rules.hpp"
+#include "plugin/plugin_call.hpp"
 
 namespace mesogen {
 
@@ -25,6 +26,15 @@ std::vector<Advice> advice(const AdviceInput& input) {
   std::vector<Advice> given;
   for (rules::Rule* const rule : all)
     if (auto one = rule(input)) given.push_back(std::move(*one));
+  for (const auto& member : input.setup.physics) {
+    std::vector<Suggestion> suggestions;
+    call_plugin(member.type, "suggest()",
+                [&] { member.plugin->suggest(input.setup.scene, input.setup.limits, suggestions); });
+    for (Suggestion& one : suggestions) {
+      for (std::string& setting : one.settings) setting = member.instance + "." + setting;
+      given.push_back({one.name, one.finding, one.settings, one.gain});
+    }
+  }
   return given;
 }
 

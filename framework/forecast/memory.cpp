@@ -72,6 +72,8 @@ class Counted {
     if (setup_.source.time.scheme == "midpoint")
       for (const auto& [name, entry] : setup_.catalogue.all())
         if (entry.declaration.advance == Advance::predicted) numbers += setup_.catalogue.components(name) * exact;
+    for (const auto& [name, entry] : setup_.catalogue.all())
+      if (entry.declaration.advance == Advance::by_passes) numbers += setup_.catalogue.components(name) * exact;
     for (const std::string& name : derived()) keep(setup_.catalogue.components(name), false);
     const double scratch = (number_ == exact || masters ? exact : 0.0) + (number_ == single ? single : 0.0);
     // Room is taken for a sixteenth more than there is.
@@ -97,7 +99,10 @@ class Counted {
     double numbers = 2.0 * axes_;  // position, and that at the last sorting
     for (const std::string& name : checkpointed_fields(setup_)) numbers += setup_.catalogue.components(name);
     const double integers = 1.0 + axes_;  // id, images
-    return particles_ * 8.0 * (numbers + integers);
+    double kept_by_plugins = 0.0;
+    for (const auto& member : setup_.physics)
+      for (const auto& kept_numbers : member.passes.kept()) kept_by_plugins += static_cast<double>(kept_numbers.count);
+    return 8.0 * (particles_ * (numbers + integers) + kept_by_plugins);
   }
 
   [[nodiscard]] double frame(bool in_memory) const {
@@ -160,6 +165,9 @@ MemoryForecast forecast_memory(const Setup& setup, double program) {
                       {"positions", counted.positions()},
                       {"neighbour search", counted.neighbour_search()},
                       {"fields", counted.fields()}};
+  double of_plugins = 0.0;
+  for (const auto& member : setup.physics) of_plugins += member.plugin->memory();
+  if (of_plugins > 0.0) forecast.lasting.push_back({"what plugins keep", of_plugins});
   if (const double weights = counted.weights(); weights > 0.0) forecast.lasting.push_back({"weights", weights});
   // Encoding holds the values, the file in memory, and the bytes that are written.
   const double frame = counted.frame(true) + 2.0 * counted.frame(false);

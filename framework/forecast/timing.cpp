@@ -132,7 +132,9 @@ TimeForecast forecast_time(Setup& setup, const StepForecast& steps, double start
   const double fastest = run.fastest();
   run.step();
   run.sorting();
-  time.sorting = median_of(5, [&] { return run.sorting(); });
+  // Who needs no neighbours sorts now and then only: that is among the steps, and where readers ask for it.
+  const bool sorts = setup.graph->sums_pairs();
+  if (sorts) time.sorting = median_of(5, [&] { return run.sorting(); });
   run.step();
 
   // Steps that happen to sort count for their number, without the sorting.
@@ -157,7 +159,7 @@ TimeForecast forecast_time(Setup& setup, const StepForecast& steps, double start
   // The expected speed is the largest that there will be; on the way to it the flow is slower.
   const double speed = std::max(fastest, expected_speed(setup.scene) / 2.0);
   const Transport& flow = setup.graph->transport();
-  if (!flow.velocity.empty() && !flow.fixed)
+  if (sorts && !flow.velocity.empty() && !flow.fixed)
     time.sortings = count_sortings(count, std::min(steps.at_speed, setup.source.time.end), speed, run.skin());
   const double computing = count * time.step + time.sortings * time.sorting + time.observing;
 

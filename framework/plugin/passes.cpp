@@ -34,6 +34,11 @@ FieldDeclaration& FieldDeclaration::predicted_by(std::string_view rate_field) {
   return *this;
 }
 
+FieldDeclaration& FieldDeclaration::advanced_by_passes() {
+  advance = Advance::by_passes;
+  return *this;
+}
+
 Pass& Pass::reads(std::initializer_list<std::string_view> fields) {
   append(own_reads, fields);
   return *this;
@@ -61,6 +66,11 @@ Pass& Pass::accumulates(std::initializer_list<std::string_view> fields) {
 
 Pass& Pass::idle_if(bool idle) {
   adds_nothing = idle;
+  return *this;
+}
+
+Pass& Pass::advances_what_is_kept() {
+  at_every_step = true;
   return *this;
 }
 

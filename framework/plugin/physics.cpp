@@ -12,4 +12,8 @@ void Physics::prepare(const Scene&) {}
 
 void Physics::step_limits(const Scene&, StepLimits&) const {}
 
+double Physics::memory() const { return 0.0; }
+
+void Physics::suggest(const Scene&, const StepLimits&, std::vector<Suggestion>&) const {}
+
 }  // namespace mesogen

@@ -64,7 +64,13 @@ std::string Catalogue::unit(std::string_view field) const {
 
 bool Catalogue::is_state(std::string_view field) const {
   const Entry* entry = find(field);
-  return entry != nullptr && (entry->initial || entry->declaration.advance != Advance::never);
+  if (entry == nullptr || entry->declaration.advance == Advance::by_passes) return false;
+  return entry->initial || entry->declaration.advance != Advance::never;
+}
+
+bool Catalogue::outlasts_step(std::string_view field) const {
+  const Entry* entry = find(field);
+  return is_state(field) || (entry != nullptr && entry->declaration.advance == Advance::by_passes);
 }
 
 std::vector<std::string> Catalogue::names() const {

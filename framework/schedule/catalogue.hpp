@@ -35,6 +35,8 @@ class MESOGEN_EXPORT Catalogue {
   [[nodiscard]] std::string unit(std::string_view field) const;
   /// A state keeps its value from step to step: advanced in time or set once.
   [[nodiscard]] bool is_state(std::string_view field) const;
+  /// A state, or a field that the passes of its plugin bring from step to step: what a checkpoint must hold.
+  [[nodiscard]] bool outlasts_step(std::string_view field) const;
   [[nodiscard]] const std::map<std::string, Entry, std::less<>>& all() const { return entries_; }
   [[nodiscard]] std::vector<std::string> names() const;
 

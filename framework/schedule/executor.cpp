@@ -26,6 +26,7 @@ class WorkContext final : public PassContext {
   [[nodiscard]] exec::Space space() const override { return {}; }
   [[nodiscard]] Index count() const override { return world_.particles.count(); }
   [[nodiscard]] const double* position(int axis) const override { return world_.particles.position[axis].data(); }
+  [[nodiscard]] std::uint64_t positions_version() const override { return world_.positions_version(); }
   [[nodiscard]] const std::int64_t* id() const override { return world_.particles.id.data(); }
   [[nodiscard]] double time() const override { return world_.time; }
   [[nodiscard]] double step_size() const override { return world_.step_size; }
@@ -48,6 +49,10 @@ class WorkContext final : public PassContext {
     if (dimension != world_.scene.dimension || (element_size == sizeof(float)) != world_.single())
       throw Error(ExitCode::plugin_refused,
                   "it asks for neighbours of another precision or dimension: take those of its class, Real and Dim");
+    if (!world_.settled())
+      throw Error(ExitCode::plugin_refused,
+                  "it asks for neighbours, and declares none that it reads: name the fields that it reads at them in "
+                  "the pass's reads_neighbours");
     const Neighbourhood& all = world_.neighbourhood;
     if (dimension == 2 && world_.single()) all.fill(*static_cast<Neighbours<float, 2>*>(grid));
     if (dimension == 2 && !world_.single()) all.fill(*static_cast<Neighbours<double, 2>*>(grid));
@@ -83,7 +88,10 @@ class WorkContext final : public PassContext {
 }  // namespace
 
 Executor::Executor(World& world, StepGraph& graph, DerivedFields& derived)
-    : world_(world), graph_(graph), derived_(derived) {}
+    : world_(world), graph_(graph), derived_(derived) {
+  for (Work& work : graph_.works())
+    if (work.pass.phase == Phase::observe) observed_.push_back({&work, 0, {}});
+}
 
 void Executor::run(Phase phase, const std::vector<bool>& reader_due) {
   const auto& order = graph_.order(phase);
@@ -94,7 +102,7 @@ void Executor::run(Phase phase, const std::vector<bool>& reader_due) {
     for (std::size_t r = 0; r < reader_due.size() && !wanted; ++r) wanted = reader_due[r] && work.for_observer[r];
     if (wanted) due.push_back(n);
   }
-  if (!due.empty()) world_.settle();
+  if (!due.empty() && graph_.sums_pairs()) world_.settle();
   // What a pass of this phase writes, others add to; the rest starts from zero.
   std::set<std::string_view> begun;
   for (const std::size_t n : due)
@@ -113,6 +121,7 @@ void Executor::run_alone(Work& work) {
 }
 
 void Executor::run(Work& work) {
+  if (!work.pass.neighbour_reads.empty()) world_.settle();
   for (const std::string& field : work.pass.own_reads) prepare(field);
   for (const std::string& field : work.pass.optional_reads)
     if (world_.fields.find(field) != nullptr) prepare(field);
@@ -135,12 +144,34 @@ void Executor::run(Work& work) {
 }
 
 void Executor::prepare(const std::string& field) {
-  if (derived_.has(field)) derived_.make(field);
+  if (!derived_.has(field)) return;
+  world_.settle();
+  derived_.make(field);
 }
 
 void Executor::prepare(const std::vector<std::string>& fields) {
-  world_.settle();
-  for (const std::string& field : fields) prepare(field);
+  for (const std::string& field : fields) {
+    const auto made = std::find_if(observed_.begin(), observed_.end(), [&](const Observed& observed) {
+      return contains(observed.work->pass.write_list, field);
+    });
+    made == observed_.end() ? prepare(field) : observe(*made);
+  }
+}
+
+// Only if particles, what it reads or what it wrote are no longer as they were: another pass may have written that.
+void Executor::observe(Observed& observed) {
+  const auto versions = [&] {
+    std::map<std::string, std::uint64_t> all;
+    const Pass& pass = observed.work->pass;
+    for (const auto* const list : {&pass.own_reads, &pass.neighbour_reads, &pass.write_list})
+      for (const std::string& name : *list)
+        if (const Field* const field = world_.fields.find(name)) all[name] = field->version;
+    return all;
+  };
+  if (observed.positions == world_.positions_version() && observed.versions == versions()) return;
+  run(*observed.work);
+  observed.positions = world_.positions_version();
+  observed.versions = versions();
 }
 
 }  // namespace mesogen

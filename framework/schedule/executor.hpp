@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -20,16 +22,26 @@ class MESOGEN_EXPORT Executor {
   void run(Phase phase, const std::vector<bool>& reader_due);
   /// One pass by itself, a member of the graph's works; what it adds to keeps its value before.
   void run_alone(Work& work);
-  /// Brings what a reader reads up to date, as far as that follows from the state alone.
+  /// Brings what a reader reads up to date, as far as that follows from the state alone: derived fields, and what
+  /// passes of Phase::observe make.
   void prepare(const std::vector<std::string>& fields);
 
  private:
+  /// A pass of Phase::observe, and as of when what it made stands.
+  struct Observed {
+    Work* work;
+    std::uint64_t positions = 0;
+    std::map<std::string, std::uint64_t> versions;  // of what it reads and writes
+  };
+
   void run(Work& work);
   void prepare(const std::string& field);
+  void observe(Observed& observed);
 
   World& world_;
   StepGraph& graph_;
   DerivedFields& derived_;
+  std::vector<Observed> observed_;
 };
 
 }  // namespace mesogen

@@ -9,13 +9,14 @@ namespace mesogen {
 
 namespace {
 
-constexpr Phase phases[] = {Phase::begin, Phase::rates, Phase::end};
+constexpr Phase phases[] = {Phase::begin, Phase::rates, Phase::end, Phase::observe};
 
 std::string_view name_of(Phase phase) {
   switch (phase) {
     case Phase::begin: return "begin";
     case Phase::rates: return "rates";
     case Phase::end: return "end";
+    case Phase::observe: return "observe";
   }
   return "";
 }

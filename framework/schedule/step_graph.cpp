@@ -55,17 +55,18 @@ StepGraph::StepGraph(const Catalogue& catalogue, const std::vector<Member>& memb
 
   Need integration{{}, &derived_for_integration_, {}, 0, true};
   for (const auto& [name, entry] : catalogue_.all())
-    if (entry.declaration.advance != Advance::never)
-      follow(entry.declaration.rate, "the time integration", integration);
+    if (has_rate(entry.declaration.advance)) follow(entry.declaration.rate, "the time integration", integration);
   for (const std::string& field : {transport_.velocity, transport_.shift})
     if (!field.empty()) follow(field, "the time integration", integration);
+  for (Work& work : works_)
+    if (work.pass.at_every_step) mark(work, integration);
 
   derived_for_reader_.resize(readers_.size());
   for (std::size_t n = 0; n < readers_.size(); ++n) {
     Need need{{}, &derived_for_reader_[n], {}, n, false};
     for (const std::string& field : readers_[n].fields) follow(field, readers_[n].name, need);
   }
-  for (const Phase phase : {Phase::begin, Phase::rates, Phase::end}) order_phase(phase);
+  for (const Phase phase : {Phase::begin, Phase::rates, Phase::end, Phase::observe}) order_phase(phase);
 }
 
 // What changes because particles do not go exactly with the fluid.
@@ -78,7 +79,7 @@ void StepGraph::add_advection() {
   for (const auto& [name, entry] : catalogue_.all()) {
     // A shift carries no density: continuity keeps that even, and its gradient would cost a pass.
     const Advance advance = entry.declaration.advance;
-    if (advance == Advance::never || (advance != Advance::predicted && !transport_.fixed)) continue;
+    if (!has_rate(advance) || (advance != Advance::predicted && !transport_.fixed)) continue;
     Work work;
     work.owner = "framework";
     work.pass = advection_pass(entry.declaration, transport_);
@@ -150,16 +151,9 @@ void StepGraph::follow(const std::string& field, const std::string& wanted_by, N
   }
   bool made = catalogue_.is_state(field);
   if (!made) {
-    for (Work& work : works_) {
-      if (!makes(work, field)) continue;
+    for (Work* const work : makers(field, need.integration)) {
       made = true;
-      if (work.pass.adds_nothing) continue;
-      if (need.integration) {
-        work.for_integration = true;
-      } else {
-        work.for_observer[need.reader] = true;
-      }
-      for (const std::string& source : sources(work)) follow(source, "'" + work.title() + "'", need);
+      if (!work->pass.adds_nothing) mark(*work, need);
     }
   }
   if (!made) {
@@ -170,6 +164,30 @@ void StepGraph::follow(const std::string& field, const std::string& wanted_by, N
                     "\nAdd a physics plugin that writes it (`mesogen plugin list`), or remove what wants it");
   }
   need.chain.pop_back();
+}
+
+void StepGraph::mark(Work& work, Need& need) {
+  if (need.integration) {
+    work.for_integration = true;
+  } else {
+    work.for_observer[need.reader] = true;
+  }
+  for (const std::string& source : sources(work)) follow(source, "'" + work.title() + "'", need);
+}
+
+// A reader takes what is made for it at the end of the step, if anything is.
+std::vector<Work*> StepGraph::makers(const std::string& field, bool for_integration) {
+  std::vector<Work*> in_step;
+  std::vector<Work*> for_readers;
+  for (Work& work : works_)
+    if (makes(work, field)) (work.pass.phase == Phase::observe ? for_readers : in_step).push_back(&work);
+  return for_integration || for_readers.empty() ? in_step : for_readers;
+}
+
+bool StepGraph::sums_pairs() const {
+  return !derived_for_integration_.empty() || std::any_of(works_.begin(), works_.end(), [](const Work& work) {
+    return work.for_integration && !work.pass.neighbour_reads.empty();
+  });
 }
 
 std::vector<std::string> StepGraph::sources(const Work& work) const {

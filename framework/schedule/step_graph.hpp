@@ -45,6 +45,8 @@ class MESOGEN_EXPORT StepGraph {
   [[nodiscard]] const std::set<std::string>& derived_for_reader(std::size_t n) const { return derived_for_reader_[n]; }
   /// How particles go with the flow; its shift is empty if nobody adds to it.
   [[nodiscard]] const Transport& transport() const { return transport_; }
+  /// Does the integration need sums over neighbours?
+  [[nodiscard]] bool sums_pairs() const;
 
   [[nodiscard]] std::string text() const;
   [[nodiscard]] std::string graphviz() const;
@@ -55,6 +57,8 @@ class MESOGEN_EXPORT StepGraph {
   void check_fields() const;
   void check_writers() const;
   void follow(const std::string& field, const std::string& wanted_by, Need& need);
+  void mark(Work& work, Need& need);
+  [[nodiscard]] std::vector<Work*> makers(const std::string& field, bool for_integration);
   void order_phase(Phase phase);
   [[nodiscard]] bool makes(const Work& work, const std::string& field) const;
   [[nodiscard]] std::vector<std::string> sources(const Work& work) const;
@@ -62,7 +66,7 @@ class MESOGEN_EXPORT StepGraph {
   const Catalogue& catalogue_;
   std::vector<Reader> readers_;
   std::vector<Work> works_;
-  std::array<std::vector<std::size_t>, 3> order_;
+  std::array<std::vector<std::size_t>, 4> order_;
   std::set<std::string> derived_for_integration_;
   std::vector<std::set<std::string>> derived_for_reader_;
   Transport transport_;

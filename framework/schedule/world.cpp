@@ -32,10 +32,19 @@ void World::settle() {
   if (!moved_) return;
   moved_ = false;
   const std::vector<Index>* order = neighbourhood.update(particles);
-  if (order == nullptr) return;
+  if (order != nullptr) permute_fields(*order);
+}
+
+void World::reorder() {
+  permute_fields(neighbourhood.reorder(particles));
+  moved_ = true;
+}
+
+void World::permute_fields(const std::vector<Index>& order) {
+  ++positions_version_;
   resize_fields();
   for (const auto& [name, field] : fields.all()) {
-    field->permute(*order, scratch_);
+    field->permute(order, scratch_);
     field->refreshed = 0;
   }
 }
@@ -47,7 +56,7 @@ void World::sort_anew() {
 }
 
 void World::restore_order(std::array<std::vector<double>, 3> sorted_position) {
-  moved_ = true;
+  mark_moved();
   neighbourhood.restore(particles, std::move(sorted_position));
   resize_fields();
   for (const auto& [name, field] : fields.all()) field->refreshed = 0;

@@ -36,9 +36,19 @@ class MESOGEN_EXPORT World {
   /// Room for the doubles of an integrated field at another time; kept in order as all fields are.
   Field& add_copy_in_double(const Field& of);
   /// To be called whenever positions changed.
-  void mark_moved() { moved_ = true; }
+  void mark_moved() {
+    moved_ = true;
+    ++positions_version_;
+  }
+  /// Raised whenever particles have moved or changed places in storage.
+  [[nodiscard]] std::uint64_t positions_version() const { return positions_version_; }
+  /// Are neighbours up to date with the positions?
+  [[nodiscard]] bool settled() const { return !moved_; }
   /// Brings neighbours up to date with the positions: sorts, if need be, and every field into the new order.
   void settle();
+  /// Stores particles by cell, and those inside that have left the box, for who needs no neighbours: near in space is
+  /// near in memory. Leaves neighbours out of date.
+  void reorder();
   /// Sorts whether or not it must be.
   void sort_anew();
   /// Sorts as a checkpoint says; see Neighbourhood::restore.
@@ -51,7 +61,9 @@ class MESOGEN_EXPORT World {
 
  private:
   void resize_fields();
+  void permute_fields(const std::vector<Index>& order);
   bool moved_ = true;
+  std::uint64_t positions_version_ = 1;
   Field::Scratch scratch_;
   WallValues walls_;
   std::int64_t refreshes_ = 0;

@@ -122,6 +122,7 @@ Guard::Guard(World& world, const Catalogue& catalogue, const StepGraph& graph, c
   for (const auto& [name, entry] : catalogue.all())
     if (entry.declaration.bounds && (catalogue.is_state(name) || made_at_each_step(name)))
       fields_.push_back({&world.fields.at(name), *entry.declaration.bounds});
+  looks_for_pairs_ = integrator.moves() && graph.sums_pairs();
   if (integrator.moves() && !graph.derived_for_integration().empty()) volume_ = &world.fields.at("volume");
 }
 
@@ -131,7 +132,7 @@ void Guard::check(const Motion& motion) const {
   check_step(motion);
   check_fields();
   if (volume_ != nullptr) check_volumes();
-  if (integrator_.moves() && world_.step % steps_between_looks == 0) check_distances();
+  if (looks_for_pairs_ && world_.step % steps_between_looks == 0) check_distances();
 }
 
 void Guard::check_finite(const Motion& motion) const {
@@ -157,9 +158,13 @@ void Guard::check_step(const Motion& motion) const {
   const auto largest = [&](const Field* field, double value, const std::string& unit) {
     return rounded_text(value) + " " + unit + " of " + particle(farthest_outside(*field, count, 0.0, 0.0));
   };
-  stop("ran away: the largest speed, " + largest(integrator_.velocity(), motion.fastest, "m/s") +
-           ", and acceleration, " + largest(integrator_.acceleration(), motion.largest_acceleration, "m/s2") +
-           ", ask for steps of " + rounded_text(next) + " s (" + limit + "), where the fluid at rest allows " +
+  const std::string acceleration =
+      integrator_.acceleration() == nullptr
+          ? ""
+          : ", and acceleration, " + largest(integrator_.acceleration(), motion.largest_acceleration, "m/s2");
+  const std::string ask = acceleration.empty() ? "asks" : "ask";
+  stop("ran away: the largest speed, " + largest(integrator_.velocity(), motion.fastest, "m/s") + acceleration + ", " +
+           ask + " for steps of " + rounded_text(next) + " s (" + limit + "), where the fluid at rest allows " +
            rounded_text(control_.at_rest()) + " s",
        "Take a smaller step (time.factor = 0.5), more particles, or a smaller activity");
 }

@@ -46,6 +46,7 @@ class MESOGEN_EXPORT Guard {
   const Integrator& integrator_;
   const StepControl& control_;
   std::vector<Guarded> fields_;
+  bool looks_for_pairs_ = false;
   Field* volume_ = nullptr;  ///< null if it is not made anew at each step
   double lattice_volume_;    ///< of a particle on the lattice as `volume` measures it, m^Dim
 };

@@ -22,7 +22,7 @@ class DeclaredView final : public WorldView {
     const std::string reads = "it reads the field '" + std::string(name) + "'";
     if (std::find(declared.begin(), declared.end(), name) == declared.end())
       throw Error(ExitCode::plugin_refused, reads + ", which it did not declare: name it in plan()");
-    if (following_ && !setup_.catalogue.is_state(name))
+    if (following_ && !setup_.catalogue.outlasts_step(name))
       throw Error(ExitCode::plugin_refused, reads +
                                                 " in follow(): only fields that are advanced in time are up to date "
                                                 "after every step; read it in sample()");

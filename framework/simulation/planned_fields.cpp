@@ -20,8 +20,8 @@ std::vector<PlannedField> planned_fields(const Setup& setup) {
   use(setup.output_fields);
   std::vector<PlannedField> planned;
   for (const auto& [name, entry] : setup.catalogue.all()) {
-    const bool integrated = entry.declaration.advance != Advance::never;
-    if (integrated || setup.catalogue.is_state(name) || used.contains(name))
+    const bool integrated = has_rate(entry.declaration.advance);
+    if (integrated || setup.catalogue.outlasts_step(name) || used.contains(name))
       planned.push_back({name, setup.catalogue.components(name), integrated});
   }
   return planned;
@@ -30,7 +30,7 @@ std::vector<PlannedField> planned_fields(const Setup& setup) {
 std::vector<std::string> checkpointed_fields(const Setup& setup) {
   std::vector<std::string> names;
   for (const auto& [name, entry] : setup.catalogue.all()) {
-    if (!setup.catalogue.is_state(name)) continue;
+    if (!setup.catalogue.outlasts_step(name)) continue;
     names.push_back(name);
     if (entry.declaration.advance == Advance::predicted) names.push_back(entry.declaration.rate);
   }

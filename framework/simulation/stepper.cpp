@@ -26,6 +26,9 @@ Particles initial_particles(const Arrangement& arrangement, int dimension) {
 
 bool moves(const Transport& flow) { return !flow.velocity.empty() && !flow.fixed; }
 
+// Where nobody needs neighbours: often enough for the order of storage to follow the particles.
+constexpr std::int64_t steps_between_orderings = 32;
+
 TimeScheme time_scheme(const std::string& name) {
   return name == "midpoint" ? TimeScheme::midpoint : TimeScheme::half_steps;
 }
@@ -79,10 +82,9 @@ void Stepper::set_initial_fields() {
 
 void Stepper::start() {
   world_.step_size = 0.0;
-  world_.settle();
+  keep_order();
   const std::vector<bool> all(setup_.observers.size() + 1, true);
-  executor_.run(Phase::begin, all);
-  executor_.run(Phase::rates, all);
+  for (const Phase phase : {Phase::begin, Phase::rates, Phase::end}) executor_.run(phase, all);
   motion_.fastest = integrator_.fastest();
   motion_.largest_acceleration = integrator_.largest_acceleration();
 }
@@ -109,7 +111,7 @@ void Stepper::advance(double step_size, const std::vector<bool>& reader_due, std
   world_.step_size = step_size;
   timed([&] {
     integrator_.predict(step_size);
-    world_.settle();
+    keep_order();
   });
   world_.time = begun + step_size / 2.0;
   executor_.run(Phase::begin, reader_due);
@@ -119,6 +121,15 @@ void Stepper::advance(double step_size, const std::vector<bool>& reader_due, std
   ++world_.step;
   guard_.check(motion_);
   executor_.run(Phase::end, reader_due);
+  if (integrator_.velocity_by_passes()) motion_.fastest = integrator_.fastest();
+}
+
+void Stepper::keep_order() {
+  if (setup_.graph->sums_pairs()) {
+    world_.settle();
+  } else if (world_.step % steps_between_orderings == 0) {
+    world_.reorder();
+  }
 }
 
 void Stepper::save(Checkpoint& checkpoint) {
@@ -143,16 +154,25 @@ void Stepper::save(Checkpoint& checkpoint) {
       for (Index i = 0; i < world_.particles.count(); ++i) values[static_cast<std::size_t>(i)] = field.value(c, i);
     }
   }
+  for (const auto& member : setup_.physics) {
+    for (const auto& kept : member.passes.kept()) {
+      const auto numbers = kept.where();
+      checkpoint.numbers[member.instance + " keeps " + kept.name].assign(numbers.begin(), numbers.end());
+    }
+  }
 }
 
 void Stepper::restore(const Checkpoint& checkpoint) {
-  const auto take = [&](const auto& map, const std::string& name) -> const auto& {
+  const auto take_of = [&](const auto& map, const std::string& name, std::size_t size,
+                           const std::string& what) -> const auto& {
     const auto at = map.find(name);
-    if (at == map.end() || at->second.size() != world_.particles.id.size())
-      throw Error(ExitCode::bad_case, "the checkpoint has no '" + name + "' for " +
-                                          std::to_string(world_.particles.id.size()) +
-                                          " particles: it belongs to another case");
+    if (at == map.end() || at->second.size() != size)
+      throw Error(ExitCode::bad_case, "the checkpoint has no '" + name + "' for " + std::to_string(size) + " " + what +
+                                          ": it belongs to another case");
     return at->second;
+  };
+  const auto take = [&](const auto& map, const std::string& name) -> const auto& {
+    return take_of(map, name, world_.particles.id.size(), "particles");
   };
   world_.step = checkpoint.step;
   world_.time = checkpoint.time;
@@ -181,6 +201,12 @@ void Stepper::restore(const Checkpoint& checkpoint) {
       for (Index i = 0; i < world_.particles.count(); ++i) field.set(c, i, values[static_cast<std::size_t>(i)]);
     }
     ++field.version;
+  }
+  for (const auto& member : setup_.physics) {
+    for (const auto& kept : member.passes.kept()) {
+      const auto& numbers = take_of(checkpoint.numbers, member.instance + " keeps " + kept.name, kept.count, "numbers");
+      std::copy(numbers.begin(), numbers.end(), kept.where().begin());
+    }
   }
   world_.restore_order(std::move(sorted));
   motion_.fastest = integrator_.fastest();

@@ -52,6 +52,7 @@ class MESOGEN_EXPORT Stepper {
  private:
   void add_fields();
   void set_initial_fields();
+  void keep_order();
 
   Setup& setup_;
   World world_;

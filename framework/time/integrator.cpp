@@ -45,7 +45,7 @@ double largest_length(Field* field, Index count) {
 Integrator::Integrator(World& world, const Catalogue& catalogue, const Transport& transport, TimeScheme scheme)
     : world_(world), scheme_(scheme), fixed_(transport.fixed) {
   for (const auto& [name, entry] : catalogue.all()) {
-    if (entry.declaration.advance == Advance::never) continue;
+    if (!has_rate(entry.declaration.advance)) continue;
     Field& field = world.fields.at(name);
     Advanced one{&field, &world.fields.at(entry.declaration.rate), entry.declaration.advance == Advance::predicted,
                  nullptr};
@@ -55,6 +55,8 @@ Integrator::Integrator(World& world, const Catalogue& catalogue, const Transport
   }
   if (!transport.velocity.empty()) velocity_ = &world.fields.at(transport.velocity);
   if (!transport.shift.empty()) shift_ = &world.fields.at(transport.shift);
+  if (velocity_ != nullptr && acceleration_ == nullptr && !fixed_)
+    way_to_midpoint_ = &world.add_copy_in_double(*velocity_);
 }
 
 template <class Real, int Components>
@@ -139,13 +141,63 @@ void Integrator::predict(double step_size) {
     if (one.start != nullptr) one.start->copy_master(*one.field);
     advance(one, *one.field, step_size / 2.0);
   }
-  move(step_size / 2.0, 0.0);
+  if (way_to_midpoint_ == nullptr) {
+    move(step_size / 2.0, 0.0);
+  } else {
+    world_.mark_moved();
+    world_.single() ? move_by_passes<float>(step_size, true) : move_by_passes<double>(step_size, true);
+  }
+}
+
+template <class Real>
+bool Integrator::move_by_passes(double step_size, bool to_midpoint) {
+  const exec::Blocks blocks(world_.particles.count());
+  int bad = 0;
+  const FieldView<Real> velocity = velocity_->view<Real>();
+  for (int d = 0; d < world_.scene.dimension; ++d) {
+    double* const position = world_.particles.position[d].data();
+    double* const way = way_to_midpoint_->master().component(d);
+    const Real* const u = velocity.component(d);
+    const Real* const s = shift_ == nullptr || to_midpoint ? nullptr : shift_->view<Real>().component(d);
+#pragma omp parallel for schedule(static) reduction(| : bad)
+    for (Index block = 0; block < blocks.number(); ++block) {
+      for (Index i = blocks.begin(block); i < blocks.end(block); ++i) {
+        if (to_midpoint) {
+          way[i] = step_size / 2.0 * static_cast<double>(u[i]);
+          position[i] += way[i];
+        } else {
+          const double speed = static_cast<double>(u[i]) + (s == nullptr ? 0.0 : static_cast<double>(s[i]));
+          position[i] += step_size * speed - way[i];
+        }
+        bad |= static_cast<int>(!(std::abs(position[i]) <= most));
+      }
+    }
+  }
+  return bad == 0;
 }
 
 Motion Integrator::correct(double step_size) {
+  if (way_to_midpoint_ != nullptr) return correct_by_passes(step_size);
   Motion motion;
   const bool midpoint = scheme_ == TimeScheme::midpoint;
   if (midpoint) motion.finite = move(step_size / 2.0, step_size);
+  advance_fields(step_size, motion);
+  if (motion.finite && !midpoint) motion.finite = move(step_size / 2.0, step_size);
+  return motion;
+}
+
+// What the velocity will be is found in the phase that follows: the largest is that of the midpoint.
+Motion Integrator::correct_by_passes(double step_size) {
+  Motion motion;
+  world_.mark_moved();
+  motion.finite = world_.single() ? move_by_passes<float>(step_size, false) : move_by_passes<double>(step_size, false);
+  advance_fields(step_size, motion);
+  motion.fastest = fastest();
+  return motion;
+}
+
+void Integrator::advance_fields(double step_size, Motion& motion) {
+  const bool midpoint = scheme_ == TimeScheme::midpoint;
   for (const Advanced& one : advanced_) {
     Field& from = one.start != nullptr ? *one.start : *one.field;
     const Largest largest = advance(one, from, one.predicted && !midpoint ? step_size / 2.0 : step_size);
@@ -154,8 +206,6 @@ Motion Integrator::correct(double step_size) {
     motion.fastest = largest.value;
     motion.largest_acceleration = largest.rate;
   }
-  if (motion.finite && !midpoint) motion.finite = move(step_size / 2.0, step_size);
-  return motion;
 }
 
 double Integrator::largest_acceleration() const { return largest_length(acceleration_, world_.particles.count()); }

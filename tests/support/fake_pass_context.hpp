@@ -34,6 +34,7 @@ class FakePassContext final : public PassContext {
   [[nodiscard]] exec::Space space() const override { return {}; }
   [[nodiscard]] Index count() const override { return count_; }
   [[nodiscard]] const double* position(int) const override { throw std::logic_error("there are no positions here"); }
+  [[nodiscard]] std::uint64_t positions_version() const override { return 1; }
   [[nodiscard]] const std::int64_t* id() const override { throw std::logic_error("there are no ids here"); }
   [[nodiscard]] double time() const override { return 0.0; }
   [[nodiscard]] double step_size() const override { return step_size_; }

@@ -7,8 +7,9 @@
 namespace mesogen::sph {
 
 /// Visits the neighbours of a particle twice: for the moments that a fit needs, and with its weights for `Count`
-/// scalars. So each visit keeps few sums, and they stay in registers. What the first visit found of a pack is kept for
-/// the second. Between them the weights of a group of particles, as many as a pack has lanes, are solved for together.
+/// scalars. So each visit keeps few sums, and they stay in registers. On the host a pack's distances and weights are
+/// found before both and kept: short loops, so that a processor has several packs under way at a time. The weights of
+/// fits are solved for a group of particles together, as many as a pack has lanes.
 template <class Real, int Dim, int Count, class Fit, class Kernel>
 class DerivativeLoop {
   using Lane = typename Pairs<Real, Dim, Kernel>::Lane;
@@ -23,11 +24,21 @@ class DerivativeLoop {
 
   /// The n-th group.
   MESOGEN_HOST_DEVICE void operator()(Index n) const {
+    // A copy that nobody else knows of stays in registers whatever is written.
+    const DerivativeLoop own = *this;
+    own.run(n);
+  }
+
+ private:
+  [[gnu::always_inline]] MESOGEN_HOST_DEVICE void run(Index n) const {
     const Index first = n * group;
     const int members = particles_ - first < group ? particles_ - first : group;
     Kept kept[group];
     Columns<Fit::sum_count> moments;
-    for (int k = 0; k < members; ++k) find_moments(first + k, kept[k], moments.row[k]);
+    for (int k = 0; k < members; ++k) {
+      keep(first + k, kept[k]);
+      find_moments(first + k, kept[k], moments.row[k]);
+    }
     for (int k = members; k < group; ++k)
       for (int m = 0; m < Fit::sum_count; ++m) moments.row[k][m] = Real(0);
     Lane moment[Fit::sum_count];
@@ -47,10 +58,9 @@ class DerivativeLoop {
     }
   }
 
- private:
   static constexpr int per_scalar = Dim + 1;  // gradient and Laplacian
   static constexpr int scalar_sums = Count == 0 ? 1 : Count * per_scalar;
-  // A device computes a pair faster than it fetches it; on the host twice what neighbours usually need.
+  // A device computes a pair faster than it fetches it; on the host it is twice what neighbours usually need.
   static constexpr int most_kept = group == 1 ? 1 : 256 / group;
 
   struct Kept {
@@ -96,42 +106,56 @@ class DerivativeLoop {
     return p;
   }
 
-  MESOGEN_HOST_DEVICE void find_moments(Index i, Kept& kept, Real* total) const {
-    Lane sum[Fit::sum_count];
-    exec::unroll<Fit::sum_count>([&](auto n) { sum[n] = Lane(Real(0)); });
+  [[gnu::always_inline]] MESOGEN_HOST_DEVICE void keep(Index i, Kept& kept) const {
     int packs = 0;
-    pairs_.visit(
-        i, [&](const auto& pair) __attribute__((always_inline)) {
-          const Weighed p = weighed(pair);
-          fit_.add(p, sum);
-          if constexpr (Count > 0) {
+    if constexpr (group > 1) {
+      pairs_.visit(
+          i, [&](const auto& pair) __attribute__((always_inline)) {
+            const Weighed p = weighed(pair);
             const int n = packs < most_kept ? packs : most_kept - 1;
             kept.j[n] = pair.j;
             exec::store(p.slope, &kept.slope[n][0]);
             for (int d = 0; d < Dim; ++d) exec::store(p.separation[d], &kept.separation[d][n][0]);
-          }
-          ++packs;
-        });
+            ++packs;
+          });
+    }
     kept.packs = packs;
+  }
+
+  /// action(pair, j) for all packs of a particle.
+  template <class Action>
+  [[gnu::always_inline]] MESOGEN_HOST_DEVICE void visit(Index i, const Kept& kept, const Action& action) const {
+    if constexpr (group > 1) {
+      if (kept.packs <= most_kept) {
+        for (int n = 0; n < kept.packs; ++n) {
+          Weighed p;
+          exec::load(&kept.slope[n][0], p.slope);
+          for (int d = 0; d < Dim; ++d) exec::load(&kept.separation[d][n][0], p.separation[d]);
+          action(p, kept.j[n]);
+        }
+        return;
+      }
+    }
+    pairs_.visit(
+        i, [&](const auto& pair) __attribute__((always_inline)) { action(weighed(pair), pair.j); });
+  }
+
+  [[gnu::always_inline]] MESOGEN_HOST_DEVICE void find_moments(Index i, const Kept& kept, Real* total) const {
+    Lane sum[Fit::sum_count];
+    exec::unroll<Fit::sum_count>([&](auto n) { sum[n] = Lane(Real(0)); });
+    visit(
+        i, kept, [&](const Weighed& p, Index) __attribute__((always_inline)) { fit_.add(p, sum); });
     exec::sum_lanes(sum, total);
   }
 
-  MESOGEN_HOST_DEVICE void sum_scalars(Index i, const Kept& kept, const Real* weight, Real* total) const {
+  [[gnu::always_inline]] MESOGEN_HOST_DEVICE void sum_scalars(Index i, const Kept& kept, const Real* weight,
+                                                              Real* total) const {
     Real own[scalar_sums];
     Lane sum[scalar_sums];
     for (int n = 0; n < Count; ++n) own[n] = wanted_.source[n][i];
     exec::unroll<scalar_sums>([&](auto n) __attribute__((always_inline)) { sum[n] = Lane(Real(0)); });
-    if (kept.packs <= most_kept) {
-      for (int n = 0; n < kept.packs; ++n) {
-        Weighed p;
-        exec::load(&kept.slope[n][0], p.slope);
-        for (int d = 0; d < Dim; ++d) exec::load(&kept.separation[d][n][0], p.separation[d]);
-        add(p, kept.j[n], weight, own, sum);
-      }
-    } else {
-      pairs_.visit(
-          i, [&](const auto& pair) __attribute__((always_inline)) { add(weighed(pair), pair.j, weight, own, sum); });
-    }
+    visit(
+        i, kept, [&](const Weighed& p, Index j) __attribute__((always_inline)) { add(p, j, weight, own, sum); });
     exec::sum_lanes(sum, total);
   }
 

@@ -146,7 +146,8 @@ class BerisEdwards final : public Physics {
 
   void step_limits(const Scene& scene, StepLimits& limits) const override {
     if (nematic_.k > 0.0)
-      limits.add("elasticity: stable diffusion by Gamma K", scene.diffusion_step / (nematic_.gamma * nematic_.k));
+      limits.add("elasticity: stable diffusion by Gamma K",
+                 scene.diffusion_step_of("order_tensor") / (nematic_.gamma * nematic_.k));
     const double stiffness = std::abs(nematic_.a) + 6.0 * nematic_.c;
     if (stiffness > 0.0) limits.add("bulk relaxation: 0.25 / (Gamma (|A| + 6 C))", 0.25 / (nematic_.gamma * stiffness));
   }

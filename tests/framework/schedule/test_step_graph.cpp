@@ -162,4 +162,49 @@ TEST(StepGraph, ShiftThatNobodyAddsToMovesNothing) {
   }
 }
 
+// The flow's own gradient takes the place of the framework's; readers get what is made for them at the end of the step.
+TEST(StepGraph, AFieldOfADerivedNameIsThePluginsOwn) {
+  GraphFixture all;
+  PassList& flow = all.plugin("flow");
+  flow.field("u", Rank::vector).advanced_by_passes();
+  flow.field("u_gradient", Rank::matrix);
+  flow.field("q", Rank::scalar).advanced_by("q_rate");
+  flow.field("q_rate", Rank::scalar);
+  flow.pass("predict", Phase::begin).reads({"u"}).writes({"u", "u_gradient"});
+  flow.pass("solve").advances_what_is_kept();
+  flow.pass("rate").reads({"u_gradient"}).writes({"q_rate"});
+  flow.pass("arrive", Phase::end).writes({"u"});
+  flow.pass("gradient for readers", Phase::observe).reads({"u"}).writes({"u_gradient"});
+  flow.flows({"u", ""});
+  all.reader("observers.eye", {"u_gradient"});
+  const StepGraph graph = all.graph();
+  EXPECT_TRUE(graph.derived_for_integration().empty());
+  EXPECT_TRUE(graph.derived_for_reader(0).empty());
+  EXPECT_FALSE(graph.sums_pairs());
+  EXPECT_EQ(titles(graph, Phase::begin), Titles{"flow: predict"});
+  EXPECT_EQ(titles(graph), (Titles{"flow: solve", "flow: rate"}));
+  EXPECT_EQ(titles(graph, Phase::end), Titles{"flow: arrive"});
+  EXPECT_EQ(titles(graph, Phase::observe), Titles{"flow: gradient for readers"});
+  for (const Work& work : graph.works()) {
+    const bool for_readers = work.pass.phase == Phase::observe;
+    EXPECT_EQ(work.for_integration, !for_readers) << work.title();
+    EXPECT_EQ(work.for_observer[0], for_readers || work.pass.name == "predict" || work.pass.name == "arrive")
+        << work.title();
+  }
+  EXPECT_NE(graph.text().find("phase observe\n   1. flow: gradient for readers   (only when due: observers.eye)"),
+            std::string::npos)
+      << graph.text();
+}
+
+TEST(StepGraph, WhatIsMadeForReadersIsNotMadeWithoutThem) {
+  GraphFixture all;
+  PassList& flow = all.plugin("flow");
+  flow.field("u", Rank::vector).advanced_by_passes();
+  flow.field("seen", Rank::scalar);
+  flow.pass("move", Phase::end).writes({"u"});
+  flow.pass("look", Phase::observe).reads({"u"}).writes({"seen"});
+  flow.flows({"u", ""});
+  EXPECT_TRUE(titles(all.graph(), Phase::observe).empty());
+}
+
 }  // namespace

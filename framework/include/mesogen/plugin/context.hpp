@@ -51,8 +51,10 @@ class MESOGEN_EXPORT PassContext {
   [[nodiscard]] virtual exec::Space space() const = 0;
   /// Real particles; boundary copies follow them in storage.
   [[nodiscard]] virtual Index count() const = 0;
-  /// Coordinates of the particles, m; as far as a tenth of a spacing outside the box between two sortings.
+  /// Coordinates of the particles, m; some spacings outside the box until they are sorted the next time.
   [[nodiscard]] virtual const double* position(int axis) const = 0;
+  /// Another number whenever particles have moved or changed places in storage.
+  [[nodiscard]] virtual std::uint64_t positions_version() const = 0;
   /// Numbers 0, 1, ... that stay with the particles while their order in storage changes: what random numbers go by.
   [[nodiscard]] virtual const std::int64_t* id() const = 0;
   /// Time at which fields stand now, s; the step size, s (0 when the rates are first evaluated); steps done.

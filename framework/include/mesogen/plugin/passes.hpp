@@ -4,6 +4,7 @@
 #include <functional>
 #include <initializer_list>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -36,6 +37,9 @@ enum class Phase {
   begin,  ///< after the half step that predicts the midpoint
   rates,  ///< at the midpoint: rates of change
   end,    ///< after the update
+  /// after a step, when an observer or a frame reads what the pass writes, and for frames that are replayed: makes it
+  /// from fields that keep their value from step to step. The integration takes what a pass of another phase wrote
+  observe,
 };
 
 /// How a field that the framework advances in time is advanced.
@@ -45,6 +49,8 @@ enum class Advance {
   /// the same, but at the midpoint passes see it half a step ahead by the previous rate: for fields whose rate depends
   /// on themselves (velocity, order tensor). See TimeScheme
   predicted,
+  /// its plugin's passes bring it from step to step; it may have an initial value, and is kept in checkpoints
+  by_passes,
 };
 
 /// Between which values a field of a sound run stays, and what to do where it does not.
@@ -53,6 +59,9 @@ struct FieldBounds {
   double highest;      ///< likewise
   std::string remedy;  ///< a sentence without its stop: "Raise sound_speed"
 };
+
+/// Does the framework advance it, with a rate?
+constexpr bool has_rate(Advance advance) { return advance == Advance::midpoint || advance == Advance::predicted; }
 
 /// A field that a plugin introduces.
 struct MESOGEN_EXPORT FieldDeclaration {
@@ -69,6 +78,8 @@ struct MESOGEN_EXPORT FieldDeclaration {
   /// The framework advances this field with `rate_field`, keeps it in double and in checkpoints.
   FieldDeclaration& advanced_by(std::string_view rate_field);
   FieldDeclaration& predicted_by(std::string_view rate_field);
+  /// Passes of the plugin write it, from what it was: see Advance::by_passes.
+  FieldDeclaration& advanced_by_passes();
   /// The run ends, with the particle and the remedy, at the step after which a value is outside; of a field with
   /// several components it is the length. For bounds beyond which a run is broken without doubt: a sound one never
   /// meets them.
@@ -89,6 +100,7 @@ struct MESOGEN_EXPORT Pass {
   std::vector<std::string> write_list;       ///< overwritten; one writer a field and phase
   std::vector<std::string> accumulate_list;  ///< added to; the framework zeroes it first, additions in case order
   bool adds_nothing = false;                 ///< see idle_if
+  bool at_every_step = false;                ///< see advances_what_is_kept
   std::function<void(const PassContext&)> body;
 
   Pass& reads(std::initializer_list<std::string_view> fields);
@@ -99,6 +111,8 @@ struct MESOGEN_EXPORT Pass {
   /// With these parameters (an activity of zero) it would add zero to everything: it is left out, with whatever only it
   /// needs. For passes that accumulate and write nothing.
   Pass& idle_if(bool idle);
+  /// It changes what the plugin keeps (PassList::keep): it runs at every step, whoever reads what it writes.
+  Pass& advances_what_is_kept();
   Pass& run(std::function<void(const PassContext&)> function);
 };
 
@@ -110,18 +124,31 @@ struct MESOGEN_EXPORT Pass {
 ///   X_gradient      d X_c / d x_d as component c * Dim + d, exact for linear X: B . sum_j V_j (X_j - X_i) grad_i W_ij
 ///   X_laplacian     2 (2 + Dim) / (2 + tr alpha) sum_j V_j (X_i - X_j) (r_ij . grad_i W_ij) / r_ij^2, each component
 /// for any field X: `velocity_gradient`, `order_tensor_laplacian`, ...
+/// A plugin may introduce a field of such a name and write it in a pass: then everybody reads that.
 class MESOGEN_EXPORT PassList {
  public:
   FieldDeclaration& field(std::string_view name, Rank rank);
   Pass& pass(std::string_view name, Phase phase = Phase::rates);
   /// There is a flow, and this is how particles go with it. One plugin of a case says so.
   void flows(Transport transport) { transport_ = std::move(transport); }
+  /// Numbers of the plugin's own that its passes bring from step to step, such as a field on a mesh: kept in
+  /// checkpoints. `where` tells where they are when a run is under way: so many of them, room for them made by then.
+  void keep(std::string_view name, std::size_t count, std::function<std::span<double>()> where) {
+    kept_.push_back({std::string(name), count, std::move(where)});
+  }
 
   [[nodiscard]] const std::deque<FieldDeclaration>& fields() const { return fields_; }
   [[nodiscard]] const std::deque<Pass>& passes() const { return passes_; }
   [[nodiscard]] const Transport& transport() const { return transport_; }
+  struct Kept {
+    std::string name;
+    std::size_t count;
+    std::function<std::span<double>()> where;
+  };
+  [[nodiscard]] const std::vector<Kept>& kept() const { return kept_; }
 
  private:
+  std::vector<Kept> kept_;
   std::deque<FieldDeclaration> fields_;
   std::deque<Pass> passes_;
   Transport transport_;

@@ -1,11 +1,22 @@
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "mesogen/plugin/context.hpp"
 #include "mesogen/plugin/parameters.hpp"
 #include "mesogen/plugin/passes.hpp"
 #include "mesogen/plugin/scene.hpp"
 
 namespace mesogen {
+
+/// Another way to compute a scene, for `mesogen check` to tell of.
+struct Suggestion {
+  std::string name;                   ///< "no_sound"
+  std::string finding;                ///< how it is
+  std::vector<std::string> settings;  ///< keys of the plugin's own section: "type=incompressible"
+  std::string gain;                   ///< what that does, and what is lost
+};
 
 /// A physics term: parameters, fields and passes. One object an instance in the case. Calls come in the order below.
 class MESOGEN_EXPORT Physics {
@@ -28,6 +39,11 @@ class MESOGEN_EXPORT Physics {
   virtual void passes(PassList& list) = 0;
   /// Limits on the step that stay the same over the run.
   virtual void step_limits(const Scene& scene, StepLimits& limits) const;
+  /// What it takes beside its fields, bytes, about: for the forecast of a run. It takes it no earlier than its passes
+  /// run.
+  [[nodiscard]] virtual double memory() const;
+  /// What would be better otherwise, in this scene. `limits` are those on the step of all plugins.
+  virtual void suggest(const Scene& scene, const StepLimits& limits, std::vector<Suggestion>& list) const;
 };
 
 }  // namespace mesogen

@@ -2,8 +2,11 @@
 
 #include <array>
 #include <functional>
+#include <limits>
 #include <map>
+#include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "mesogen/export.hpp"
@@ -17,6 +20,8 @@ namespace mesogen {
 struct Scales {
   double stress = 0.0;  ///< largest stress beside pressure and viscosity, Pa
   double speed = 0.0;   ///< expected or initial speed, m/s
+  /// Fields whose Laplacian, as a plugin makes it, takes any step: their diffusion limits none.
+  std::set<std::string, std::less<>> laplacians_for_any_step;
 };
 
 /// Numbers that physics plugins publish for observers and for each other: "elastic_constant", "density", ...
@@ -34,6 +39,10 @@ struct Scene {
   /// Largest step x diffusivity for which the Laplacian of this run, with its kernel and time scheme, is stable (with a
   /// margin for disordered particles), m2: limit a diffusion D to steps of diffusion_step / D.
   double diffusion_step = 0.0;
+  /// The same of the Laplacian of a certain field; infinite if that takes any step.
+  [[nodiscard]] double diffusion_step_of(std::string_view field) const {
+    return scales.laplacians_for_any_step.contains(field) ? std::numeric_limits<double>::infinity() : diffusion_step;
+  }
   Index particle_count = 0;
   Scales scales;        ///< what the physics plugins said of their magnitudes
   Constants constants;  ///< what they published by name
@@ -46,7 +55,7 @@ class MESOGEN_EXPORT StepLimits {
     std::string name;
     double seconds;
   };
-  /// `name` says what limits, such as "friction: 0.25 rho / xi".
+  /// `name` says what limits, such as "friction: 0.25 rho / xi"; infinite: it does not.
   void add(std::string name, double seconds);
   [[nodiscard]] const std::vector<Limit>& all() const { return limits_; }
 

@@ -1,0 +1,300 @@
+#pragma once
+
+#include <omp.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "mesogen/field/view.hpp"
+#include "mesogen/mesh/cubic_spline.hpp"
+#include "mesogen/mesh/grid.hpp"
+
+namespace mesogen::mesh {
+
+/// Between particles and the points of a grid: spreads numbers of particles to the points about them, and interpolates
+/// numbers at points to particles, both with cubic B-splines.
+///
+/// Particles are kept by the cell of the grid in which they stand. Slabs of so many layers along the last axis are
+/// added up each by itself, and then together, in an order that depends on positions and storage alone: the same bits
+/// for any number of threads.
+template <int Dim>
+class ParticleMesh {
+  static_assert(Dim == 2 || Dim == 3);
+  static constexpr int reach = CubicSpline::points;
+  static constexpr int last = Dim - 1;
+  static constexpr int layers_in_slab = 8;
+
+ public:
+  explicit ParticleMesh(const Grid<Dim>& grid)
+      : grid_(grid),
+        line_(grid.points[0] + reach - 1),
+        lines_in_layer_(Dim == 3 ? grid.points[1] + reach - 1 : 1),
+        begin_(static_cast<std::size_t>(grid.row_count()) + 1) {}
+
+  [[nodiscard]] const Grid<Dim>& grid() const { return grid_; }
+  [[nodiscard]] Index count() const { return static_cast<Index>(located_.size()); }
+
+  /// Where the particles are, m; outside the box, their images inside it. Not to be called with what is not finite.
+  void locate(const std::array<const double*, Dim>& position, Index count) {
+    located_.resize(static_cast<std::size_t>(count));
+    row_of_.resize(located_.size());
+    in_row_.resize(located_.size());
+    sort_by_row(position, count);
+    sort_rows();
+#pragma omp parallel for schedule(static)
+    for (Index n = 0; n < count; ++n) {
+      const auto at = static_cast<std::size_t>(n);
+      located_[at] = place(position, in_row_[at].particle);
+    }
+  }
+
+  /// out[c](x) = sum over particles of weight(x - x_i) value_c(i), where value(i, numbers) gives the `Count` numbers of
+  /// a particle.
+  template <int Count, class Value>
+  void spread(const Value& value, const std::array<double*, Count>& out) {
+    const int layers = grid_.points[last];
+    const int slabs = (layers + layers_in_slab - 1) / layers_in_slab;
+    const std::ptrdiff_t layer = static_cast<std::ptrdiff_t>(line_) * lines_in_layer_;
+    const std::ptrdiff_t field = layer * (layers_in_slab + reach - 1);
+    slab_.resize(static_cast<std::size_t>(field * Count * slabs));
+#pragma omp parallel for schedule(static)
+    for (int s = 0; s < slabs; ++s) {
+      double* const slab = slab_.data() + s * field * Count;
+      std::fill(slab, slab + field * Count, 0.0);
+      const int first = s * layers_in_slab;
+      const int end = std::min(layers, first + layers_in_slab);
+      for (Index n = begin_of_layer(first); n < begin_of_layer(end); ++n) add<Count>(at(n), first, value, slab, field);
+    }
+#pragma omp parallel for schedule(static)
+    for (int row = 0; row < grid_.row_count(); ++row) put_together<Count>(row, field, layer, out);
+  }
+
+  /// take(i, numbers) for every particle with what the `Count` fields on the grid are there.
+  template <int Count, class Take>
+  void gather(const std::array<const double*, Count>& from, const Take& take) {
+    const int columns = grid_.points[0];
+    const int rows = grid_.row_count();
+    // Rows with their first points once more behind the last.
+    const std::ptrdiff_t field = static_cast<std::ptrdiff_t>(line_) * rows;
+    lines_.resize(static_cast<std::size_t>(field * Count));
+#pragma omp parallel for schedule(static)
+    for (int row = 0; row < rows; ++row) {
+      for (int c = 0; c < Count; ++c) {
+        double* const line = lines_.data() + c * field + static_cast<std::ptrdiff_t>(row) * line_;
+        const double* const values = from[c] + static_cast<std::ptrdiff_t>(row) * columns;
+        std::copy(values, values + columns, line);
+        std::copy(values, values + reach - 1, line + columns);
+      }
+    }
+#pragma omp parallel for schedule(static)
+    for (int row = 0; row < rows; ++row) {
+      const double* line[reach_of_rows];
+      rows_above(row, line);
+      for (Index n = begin_[static_cast<std::size_t>(row)]; n < begin_[static_cast<std::size_t>(row) + 1]; ++n) {
+        const Located& where = at(n);
+        double numbers[Count];
+        for (int c = 0; c < Count; ++c) {
+          double sum[reach] = {};
+          for (int r = 0; r < reach_of_rows; ++r) {
+            double across = where.weight[1][r % reach];
+            if constexpr (Dim == 3) across *= where.weight[2][r / reach];
+            const double* const values = line[r] + c * field + where.column;
+            for (int p = 0; p < reach; ++p) sum[p] += across * values[p];
+          }
+          const double(&along)[reach] = where.weight[0];
+          numbers[c] = (sum[0] * along[0] + sum[1] * along[1]) + (sum[2] * along[2] + sum[3] * along[3]);
+        }
+        take(where.particle, numbers);
+      }
+    }
+  }
+
+ private:
+  static constexpr int reach_of_rows = Dim == 2 ? reach : reach * reach;
+
+  struct Located {
+    Index particle;
+    int column;                 // of the first point that it touches, along the first axis
+    int row;                    // likewise along the others, as Grid::row_coordinates counts them
+    double weight[Dim][reach];  // of the points from that on
+  };
+
+  struct InRow {
+    Index particle;
+    int column;
+  };
+
+  [[nodiscard]] const Located& at(Index n) const { return located_[static_cast<std::size_t>(n)]; }
+  [[nodiscard]] Index begin_of_layer(int layer) const {
+    return begin_[static_cast<std::size_t>(layer * (Dim == 3 ? grid_.points[1] : 1))];
+  }
+
+  /// The first of the four points along an axis that a coordinate touches: the one below its cell.
+  [[nodiscard]] int first_point(int d, double cell) const {
+    const std::int64_t points = grid_.points[d];
+    const std::int64_t first = (static_cast<std::int64_t>(cell) - 1) % points;
+    return static_cast<int>(first < 0 ? first + points : first);
+  }
+
+  [[nodiscard]] Located place(const std::array<const double*, Dim>& position, Index i) const {
+    Located where{};
+    where.particle = i;
+    for (int d = last; d >= 0; --d) {
+      const double x = position[d][i] / grid_.spacing(d);
+      const double cell = std::floor(x);
+      CubicSpline::weights(x - cell, where.weight[d]);
+      if (d == 0) {
+        where.column = first_point(d, cell);
+      } else {
+        where.row = where.row * grid_.points[d] + first_point(d, cell);
+      }
+    }
+    return where;
+  }
+
+  // A counting sort. Each thread counts and moves a part of the particles that follow each other: whatever the parts,
+  // particles of a row stay in the order of storage.
+  void sort_by_row(const std::array<const double*, Dim>& position, Index count) {
+    const auto rows = static_cast<std::size_t>(grid_.row_count());
+    std::vector<std::vector<Index>> next;  // by thread, where its next particle of a row goes
+#pragma omp parallel
+    {
+      const auto thread = static_cast<std::size_t>(omp_get_thread_num());
+#pragma omp single
+      next.assign(static_cast<std::size_t>(omp_get_num_threads()), std::vector<Index>(rows, 0));
+      auto& own = next[thread];
+#pragma omp for schedule(static)
+      for (Index i = 0; i < count; ++i) {
+        int row = 0;
+        for (int d = last; d > 0; --d)
+          row = row * grid_.points[d] + first_point(d, std::floor(position[d][i] / grid_.spacing(d)));
+        row_of_[static_cast<std::size_t>(i)] = row;
+        ++own[static_cast<std::size_t>(row)];
+      }
+#pragma omp single
+      {
+        Index total = 0;
+        for (std::size_t row = 0; row < rows; ++row) {
+          begin_[row] = total;
+          for (auto& of_thread : next) total += std::exchange(of_thread[row], total);
+        }
+        begin_[rows] = total;
+      }
+#pragma omp for schedule(static)
+      for (Index i = 0; i < count; ++i) {
+        const Index to = own[static_cast<std::size_t>(row_of_[static_cast<std::size_t>(i)])]++;
+        in_row_[static_cast<std::size_t>(to)] = {i, first_point(0, std::floor(position[0][i] / grid_.spacing(0)))};
+      }
+    }
+  }
+
+  void sort_rows() {
+    const int rows = grid_.row_count();
+#pragma omp parallel
+    {
+      std::vector<Index> next(static_cast<std::size_t>(grid_.points[0]) + 1);
+      std::vector<InRow> unsorted;
+#pragma omp for schedule(static)
+      for (int row = 0; row < rows; ++row) {
+        InRow* const begin = in_row_.data() + begin_[static_cast<std::size_t>(row)];
+        InRow* const end = in_row_.data() + begin_[static_cast<std::size_t>(row) + 1];
+        unsorted.assign(begin, end);
+        std::fill(next.begin(), next.end(), 0);
+        for (const InRow& one : unsorted) ++next[static_cast<std::size_t>(one.column) + 1];
+        for (std::size_t column = 1; column < next.size(); ++column) next[column] += next[column - 1];
+        for (const InRow& one : unsorted) begin[next[static_cast<std::size_t>(one.column)]++] = one;
+      }
+    }
+  }
+
+  template <int Count, class Value>
+  void add(const Located& where, int first_layer, const Value& value, double* slab, std::ptrdiff_t field) const {
+    double numbers[Count];
+    value(where.particle, numbers);
+    int line = where.row - first_layer;
+    if constexpr (Dim == 3)
+      line = (where.row / grid_.points[1] - first_layer) * lines_in_layer_ + where.row % grid_.points[1];
+    double* const to = slab + static_cast<std::ptrdiff_t>(line) * line_ + where.column;
+    for (int c = 0; c < Count; ++c) {
+      double along[reach];
+      for (int p = 0; p < reach; ++p) along[p] = numbers[c] * where.weight[0][p];
+      for (int r = 0; r < reach_of_rows; ++r) {
+        double across = where.weight[1][r % reach];
+        std::ptrdiff_t down = r % reach;
+        if constexpr (Dim == 3) {
+          across *= where.weight[2][r / reach];
+          down += static_cast<std::ptrdiff_t>(r / reach) * lines_in_layer_;
+        }
+        double* const points = to + c * field + down * line_;
+        for (int p = 0; p < reach; ++p) points[p] += across * along[p];
+      }
+    }
+  }
+
+  // A row of points from all slabs with layers whose particles reach it, across the face too; what lies beyond the last
+  // point of a line or of a layer belongs to the first ones.
+  template <int Count>
+  void put_together(int row, std::ptrdiff_t field, std::ptrdiff_t layer, const std::array<double*, Count>& out) const {
+    std::array<int, Dim> at_row{};
+    grid_.row_coordinates(row, at_row);
+    const int columns = grid_.points[0];
+    const int layers = grid_.points[last];
+    const auto take = [&](double* to, const double* from, bool begin) {
+      for (int x = 0; x < columns; ++x) to[x] = begin ? from[x] : to[x] + from[x];
+      for (int x = 0; x < reach - 1; ++x) to[x] += from[columns + x];
+    };
+    for (int c = 0; c < Count; ++c) {
+      double* const to = out[c] + static_cast<std::ptrdiff_t>(row) * columns;
+      bool begin = true;
+      const auto from_slab = [&](int slab, int depth) {
+        const double* const from = slab_.data() + (slab * Count + c) * field + depth * layer;
+        if constexpr (Dim == 2) {
+          take(to, from, begin);
+        } else {
+          take(to, from + static_cast<std::ptrdiff_t>(at_row[1]) * line_, begin);
+          if (at_row[1] < reach - 1)
+            take(to, from + static_cast<std::ptrdiff_t>(at_row[1] + grid_.points[1]) * line_, false);
+        }
+        begin = false;
+      };
+      int slab = -1;
+      int depth = -1;
+      for (int by = 0; by < reach; ++by) {
+        const int source = (at_row[last] - by + layers) % layers;
+        const int of = source / layers_in_slab;
+        const int at_depth = source % layers_in_slab + by;
+        if (of == slab && at_depth == depth) continue;
+        slab = of;
+        depth = at_depth;
+        from_slab(slab, depth);
+      }
+    }
+  }
+
+  /// The rows of lines_ that the particles of a row touch, the second axis fastest.
+  void rows_above(int row, const double* (&line)[reach_of_rows]) const {
+    std::array<int, Dim> at_row{};
+    grid_.row_coordinates(row, at_row);
+    const auto upper = [&](int d, int by) { return (at_row[d] + by) % grid_.points[d]; };
+    for (int r = 0; r < reach_of_rows; ++r) {
+      int above = upper(1, r % reach);
+      if constexpr (Dim == 3) above += grid_.points[1] * upper(2, r / reach);
+      line[r] = lines_.data() + static_cast<std::ptrdiff_t>(above) * line_;
+    }
+  }
+
+  Grid<Dim> grid_;
+  int line_;                      // points in a row, and those that lie beyond its end
+  int lines_in_layer_;            // likewise
+  std::vector<Located> located_;  // by cell
+  std::vector<InRow> in_row_;     // likewise
+  std::vector<int> row_of_;
+  std::vector<Index> begin_;  // of each row's particles in located_, and one more
+  std::vector<double> slab_;
+  std::vector<double> lines_;
+};
+
+}  // namespace mesogen::mesh

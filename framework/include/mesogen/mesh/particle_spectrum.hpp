@@ -1,0 +1,181 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "mesogen/diagnostics/error.hpp"
+#include "mesogen/mesh/fourier_transform.hpp"
+#include "mesogen/mesh/particle_mesh.hpp"
+
+namespace mesogen::mesh {
+
+/// Fourier modes of what particles carry, and what modes are at particles. Modes beyond the cutoff, two thirds of what
+/// the grid can tell apart along an axis, are none: products of two fields keep no false ones, and what spreading takes
+/// from a wave can be given back (by at most 2.1 an axis).
+template <int Dim>
+class ParticleSpectrum {
+ public:
+  using WaveVector = std::array<double, Dim>;
+
+  explicit ParticleSpectrum(const Grid<Dim>& grid)
+      : grid_(grid), mesh_(grid), transform_(grid), restore_(grid.mode_count(), 0.0) {
+    for_each_mode([&](std::size_t n, const WaveVector& k) {
+      double kept = 1.0;
+      for (int d = 0; d < Dim; ++d) {
+        if (std::abs(k[d]) > cutoff(d) * (1.0 + 1e-12)) return;
+        kept *= CubicSpline::transform(0.5 * k[d] * grid_.spacing(d));
+      }
+      restore_[n] = 1.0 / kept;
+    });
+    weight_.resize(grid.point_count());
+  }
+
+  [[nodiscard]] const Grid<Dim>& grid() const { return grid_; }
+  [[nodiscard]] std::size_t mode_count() const { return restore_.size(); }
+  [[nodiscard]] double cutoff(int axis) const { return 2.0 / 3.0 * grid_.highest(axis); }
+  [[nodiscard]] bool has(std::size_t mode) const { return restore_[mode] > 0.0; }
+  [[nodiscard]] FourierTransform& transform() { return transform_; }
+
+  /// action(n, k) for all modes in parallel.
+  template <class Action>
+  void for_each_mode(const Action& action) const {
+    const int rows = grid_.row_count();
+    const int in_row = grid_.modes_in_row();
+#pragma omp parallel for schedule(static)
+    for (int row = 0; row < rows; ++row) {
+      std::array<int, Dim> at{};
+      grid_.row_coordinates(row, at);
+      WaveVector k{};
+      for (int d = 1; d < Dim; ++d) k[d] = grid_.wave_number(d, at[d]);
+      for (int n = 0; n < in_row; ++n) {
+        k[0] = grid_.wave_number(0, n);
+        action(static_cast<std::size_t>(row) * static_cast<std::size_t>(in_row) + static_cast<std::size_t>(n), k);
+      }
+    }
+  }
+
+  /// Where particles are; what follows is about them. Throws Error(run_failed) where a point of the grid has hardly any
+  /// particle about it.
+  void locate(const std::array<const double*, Dim>& position, Index count) {
+    int lost = 0;
+    for (int d = 0; d < Dim; ++d) {
+#pragma omp parallel for schedule(static) reduction(| : lost)
+      for (Index i = 0; i < count; ++i) lost |= static_cast<int>(!(std::abs(position[d][i]) < 1e9 * grid_.length[d]));
+    }
+    if (lost != 0) throw Error(ExitCode::run_failed, "the coordinate of a particle is not finite");
+    mesh_.locate(position, count);
+    mesh_.template spread<1>([](Index, double* one) { one[0] = 1.0; }, {weight_.data()});
+    const double mean = static_cast<double>(count) / static_cast<double>(grid_.point_count());
+    double least = mean;
+    const auto points = static_cast<std::ptrdiff_t>(weight_.size());
+#pragma omp parallel for schedule(static) reduction(min : least)
+    for (std::ptrdiff_t x = 0; x < points; ++x) least = std::min(least, weight_[static_cast<std::size_t>(x)]);
+    least_weight_ = least / mean;
+    if (!(least_weight_ > empty))
+      throw Error(ExitCode::run_failed,
+                  "a point of the mesh has hardly any particle about it: keep the shift on, take a coarser mesh "
+                  "(mesh_spacing), or more particles");
+  }
+
+  /// Particles about the emptiest point of the grid, over the mean.
+  [[nodiscard]] double least_weight() const { return least_weight_; }
+
+  /// Modes of how densely particles lie, over their mean: 0 but for unevenness.
+  void unevenness(Complex* modes) {
+    values(1);
+    const double per_mean = static_cast<double>(grid_.point_count()) / mesh_.count();
+    const auto points = static_cast<std::ptrdiff_t>(weight_.size());
+#pragma omp parallel for schedule(static)
+    for (std::ptrdiff_t x = 0; x < points; ++x)
+      values_[0][static_cast<std::size_t>(x)] = weight_[static_cast<std::size_t>(x)] * per_mean - 1.0;
+    transform_.forward(values_[0].data(), modes);
+    for_each_mode([&](std::size_t n, const WaveVector&) { modes[n] *= restore_[n]; });
+  }
+
+  /// Modes of the field whose `Count` components value(i, numbers) gives at the particles. First the weighted mean
+  /// about each point, with what spreading takes from a wave given back. Then, `corrections` times,
+  /// the same of what is still missing at the particles: so it comes near to the least-squares fit wherever they are.
+  template <int Count, class Value>
+  void fit(const Value& value, const std::array<Complex*, Count>& modes, int corrections) {
+    spread<Count>(value, modes, false);
+    for (int n = 0; n < corrections; ++n) {
+      missing_.resize(static_cast<std::size_t>(mesh_.count()) * Count);
+      work_modes(Count);
+      std::array<Complex*, Count> copy{};
+      for (int c = 0; c < Count; ++c) {
+        std::copy(modes[c], modes[c] + mode_count(), work_modes_[c].data());
+        copy[c] = work_modes_[c].data();
+      }
+      evaluate<Count>(copy, [&](Index i, const double* there) {
+        double numbers[Count];
+        value(i, numbers);
+        for (int c = 0; c < Count; ++c)
+          missing_[static_cast<std::size_t>(i) * Count + static_cast<std::size_t>(c)] = numbers[c] - there[c];
+      });
+      spread<Count>(
+          [&](Index i, double* numbers) {
+            for (int c = 0; c < Count; ++c)
+              numbers[c] = missing_[static_cast<std::size_t>(i) * Count + static_cast<std::size_t>(c)];
+          },
+          modes, true);
+    }
+  }
+
+  /// take(i, numbers) for every particle with what the fields of these modes are there. The modes are used up.
+  template <int Count, class Take>
+  void evaluate(const std::array<Complex*, Count>& modes, const Take& take) {
+    values(Count);
+    std::array<const double*, Count> from{};
+    for (int c = 0; c < Count; ++c) {
+      for_each_mode([&](std::size_t n, const WaveVector&) { modes[c][n] *= restore_[n]; });
+      transform_.backward(modes[c], values_[c].data());
+      from[c] = values_[c].data();
+    }
+    mesh_.template gather<Count>(from, take);
+  }
+
+ private:
+  static constexpr double empty = 1e-3;  // of the mean
+
+  void values(int count) {
+    if (static_cast<int>(values_.size()) < count) values_.resize(static_cast<std::size_t>(count));
+    for (int c = 0; c < count; ++c) values_[static_cast<std::size_t>(c)].resize(grid_.point_count());
+  }
+  void work_modes(int count) {
+    if (static_cast<int>(work_modes_.size()) < count) work_modes_.resize(static_cast<std::size_t>(count));
+    for (int c = 0; c < count; ++c) work_modes_[static_cast<std::size_t>(c)].resize(mode_count());
+  }
+
+  template <int Count, class Value>
+  void spread(const Value& value, const std::array<Complex*, Count>& modes, bool add) {
+    values(Count);
+    std::array<double*, Count> to{};
+    for (int c = 0; c < Count; ++c) to[c] = values_[static_cast<std::size_t>(c)].data();
+    mesh_.template spread<Count>(value, to);
+    spread_modes_.resize(mode_count());
+    const auto points = static_cast<std::ptrdiff_t>(weight_.size());
+    for (int c = 0; c < Count; ++c) {
+#pragma omp parallel for schedule(static)
+      for (std::ptrdiff_t x = 0; x < points; ++x) to[c][x] /= weight_[static_cast<std::size_t>(x)];
+      transform_.forward(to[c], spread_modes_.data());
+      for_each_mode([&](std::size_t n, const WaveVector&) {
+        const Complex mode = spread_modes_[n] * restore_[n];
+        modes[c][n] = add ? modes[c][n] + mode : mode;
+      });
+    }
+  }
+
+  Grid<Dim> grid_;
+  ParticleMesh<Dim> mesh_;
+  FourierTransform transform_;
+  std::vector<double> restore_;  // 1 / (what spreading leaves of a wave); 0 beyond the cutoff
+  std::vector<double> weight_;   // of all particles at each point
+  double least_weight_ = 1.0;
+  std::vector<std::vector<double>> values_;
+  std::vector<std::vector<Complex>> work_modes_;
+  std::vector<Complex> spread_modes_;
+  std::vector<double> missing_;
+};
+
+}  // namespace mesogen::mesh

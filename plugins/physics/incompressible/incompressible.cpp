@@ -1,0 +1,183 @@
+// An incompressible flow without sound, by particles and a mesh: rho Du/Dt = -grad p + mu lap u + f, div u = 0.
+//
+// Particles carry what goes with the fluid (order tensor, colour, ...). The velocity lives in Fourier space, where
+// viscosity takes any step and div u = 0 is a projection: forces are spread from particles to a mesh with B-splines,
+// the momentum equation is solved mode by mode, and velocity and its gradient are interpolated back. Order tensor and
+// other fields get changes only, so that nothing is smoothed twice. (Velocity carried by particles would have to be
+// spread anew each step, and its noise below the mesh would need a damping of its own.)
+//
+// Gradient and Laplacian of the order tensor are those of the mesh too: exact for every wave that it carries, where a
+// smoothing kernel is a few per cent off, and stable for any step.
+
+#include <algorithm>
+#include <iterator>
+#include <memory>
+#include <optional>
+
+#include "mesh_flow.hpp"
+#include "mesogen/diagnostics/error.hpp"
+#include "mesogen/plugin/physics.hpp"
+#include "mesogen/plugin/plugin.hpp"
+
+namespace {
+
+using namespace mesogen;
+using incompressible::MeshFlow;
+
+template <class Real, int Dim>
+class Incompressible final : public Physics {
+  using Momentum = incompressible::Momentum<Dim>;
+
+ public:
+  void parameters(ParameterList& list) override {
+    list.number("density", fluid_.density).unit("kg/m3").above(0).required().doc("rho");
+    list.number("viscosity", fluid_.viscosity).unit("Pa s").above(0).required().doc("mu: dynamic viscosity");
+    list.flag("inertia", fluid_.inertia)
+        .doc(
+            "solve the momentum equation; or creeping (Stokes) flow, in which forces balance viscosity and friction at "
+            "every moment");
+    list.number_or("expected_speed", expected_speed_, "auto")
+        .unit("m/s")
+        .at_least(0)
+        .doc("largest speed that the flow will reach, for forecasts of a run; auto: the initial one");
+    list.number_or("sound_speed", sound_speed_, "auto")
+        .unit("m/s")
+        .above(0)
+        .doc("there is no sound here; taken, and without effect, so that a case for wcsph needs no other word changed");
+    list.number("mesh_spacing", mesh_spacing_)
+        .unit("1")
+        .at_least(1)
+        .at_most(8)
+        .doc(
+            "distance of the points of the mesh in particle spacings, about: as it fits the box and the Fourier "
+            "transform");
+    list.integer("corrections", corrections_)
+        .at_least(0)
+        .at_most(10)
+        .doc("how often what a fit of the mesh to the particles misses is spread again");
+    list.number("shift", shift_)
+        .unit("1")
+        .at_least(0)
+        .at_most(100)
+        .doc(
+            "how fast particles move to where they are sparse, in root mean square velocity gradients; what they carry "
+            "is re-evaluated where they go. 0: not at all");
+  }
+
+  void scales(Scales& scales) const override {
+    scales.laplacians_for_any_step.insert("order_tensor");
+    if (expected_speed_) scales.speed = std::max(scales.speed, *expected_speed_);
+  }
+  void constants(Constants& constants) const override {
+    constants["density"] = fluid_.density;
+    constants["viscosity"] = fluid_.viscosity;
+  }
+
+  void prepare(const Scene& scene) override {
+    for (int d = 0; d < Dim; ++d)
+      if (!scene.periodic[static_cast<std::size_t>(d)])
+        throw Error(ExitCode::bad_case,
+                    "an incompressible flow needs a box that is periodic along every axis: take boundary = "
+                    "\"periodic_wrap\" or \"periodic_ghosts\", or between walls type = \"wcsph\"");
+    const auto number = [&](const char* name, double otherwise) {
+      const auto at = scene.constants.find(name);
+      return at == scene.constants.end() ? otherwise : at->second;
+    };
+    fluid_.friction = number("friction", 0.0);
+    diffusivity_ = number("rotational_diffusivity", 0.0) * number("elastic_constant", 0.0);
+    nematic_ = scene.constants.contains("elastic_constant");
+    for (int d = 0; d < Dim; ++d) {
+      grid_.length[d] = scene.box[static_cast<std::size_t>(d)];
+      grid_.points[d] = mesh::fast_size(grid_.length[d] / (mesh_spacing_ * scene.spacing));
+    }
+    particle_spacing_ = scene.spacing;
+    particle_count_ = scene.particle_count;
+    prepared_ = true;
+  }
+
+  [[nodiscard]] double memory() const override {
+    return prepared_ ? MeshFlow<Real, Dim>::memory(grid_, particle_count_) : 0.0;
+  }
+
+  void passes(PassList& list) override {
+    fields(list);
+    list.flows({"velocity", "shift_velocity", true, false});
+    for (int n = 0; prepared_ && n < static_cast<int>(std::size(Momentum::kept)); ++n)
+      list.keep(Momentum::kept[n], Momentum::count(grid_, n), [this, n] { return flow().momentum().numbers(n); });
+    pass(list, "flow at the midpoint", Phase::begin, &MeshFlow<Real, Dim>::to_midpoint)
+        .reads({"velocity"})
+        .writes({"velocity", "velocity_gradient", "density"});
+    if (nematic_ || !prepared_) {
+      const auto derivatives = [&](Phase phase, bool in_step) {
+        list.pass(in_step ? "derivatives of the order tensor" : "derivatives of the order tensor, for readers", phase)
+            .reads({"order_tensor"})
+            .writes({"order_tensor_gradient", "order_tensor_laplacian"})
+            .run([this, in_step](const PassContext& context) {
+              flow().order_tensor_derivatives(context, diffusivity_, in_step ? context.step_size() : 0.0);
+            });
+      };
+      derivatives(Phase::rates, true);
+      derivatives(Phase::observe, false);
+    }
+    // So that there is an acceleration where nobody adds to it.
+    list.pass("no force of its own").accumulates({"acceleration"}).idle_if(true).run([](const PassContext&) {});
+    pass(list, "forces", Phase::rates, &MeshFlow<Real, Dim>::add_forces)
+        .reads({"acceleration"})
+        .advances_what_is_kept();
+    pass(list, "pressure", Phase::rates, &MeshFlow<Real, Dim>::pressure).reads({"acceleration"}).writes({"pressure"});
+    pass(list, "shift", Phase::rates, &MeshFlow<Real, Dim>::spread_particles)
+        .accumulates({"shift_velocity"})
+        .idle_if(shift_ == 0.0);
+    pass(list, "flow at the end", Phase::end, &MeshFlow<Real, Dim>::to_end).writes({"velocity"});
+    pass(list, "velocity gradient, for readers", Phase::observe, &MeshFlow<Real, Dim>::velocity_gradient)
+        .reads({"velocity"})
+        .writes({"velocity_gradient"});
+  }
+
+ private:
+  using Action = void (MeshFlow<Real, Dim>::*)(const PassContext&);
+  Pass& pass(PassList& list, const char* name, Phase phase, Action action) {
+    return list.pass(name, phase).run([this, action](const PassContext& context) { (flow().*action)(context); });
+  }
+
+  // Made when it is first used: a case is also put together only to be looked at.
+  MeshFlow<Real, Dim>& flow() {
+    if (!flow_)
+      flow_ = std::make_unique<MeshFlow<Real, Dim>>(grid_, particle_spacing_, fluid_,
+                                                    incompressible::Numerics{static_cast<int>(corrections_), shift_});
+    return *flow_;
+  }
+
+  void fields(PassList& list) const {
+    list.field("velocity", Rank::vector).unit("m/s").doc("u, without divergence").advanced_by_passes();
+    list.field("velocity_gradient", Rank::matrix).unit("1/s").doc("d u_c / d x_d as component c * Dim + d");
+    list.field("acceleration", Rank::vector).unit("m/s2").doc("force densities of others over rho");
+    list.field("density", Rank::scalar).unit("kg/m3").doc("rho, the same everywhere");
+    list.field("pressure", Rank::scalar).unit("Pa").doc("p at the midpoint of the step; its mean is 0");
+    list.field("shift_velocity", Rank::vector).unit("m/s").doc("artificial displacement per time");
+    if (!nematic_ && prepared_) return;
+    list.field("order_tensor_gradient", Rank::matrix).unit("1/m").doc("d Q_c / d x_d as component c * Dim + d");
+    list.field("order_tensor_laplacian", Rank::order_tensor)
+        .unit("1/m2")
+        .doc("lap Q, slowed down where a step is long");
+  }
+
+  incompressible::Fluid fluid_;
+  std::optional<double> expected_speed_;
+  std::optional<double> sound_speed_;
+  double mesh_spacing_ = 1.5;
+  std::int64_t corrections_ = 2;
+  double shift_ = 5.0;
+  double diffusivity_ = 0.0;  // of the order tensor, m2/s
+  bool nematic_ = false;
+  mesh::Grid<Dim> grid_;
+  double particle_spacing_ = 0.0;
+  Index particle_count_ = 0;
+  bool prepared_ = false;
+  std::unique_ptr<MeshFlow<Real, Dim>> flow_;
+};
+
+}  // namespace
+
+MESOGEN_PHYSICS_PLUGIN(Incompressible, "incompressible", "1.0.0",
+                       "Incompressible flow without sound, by Fourier transforms on a mesh: long steps, periodic boxes")
