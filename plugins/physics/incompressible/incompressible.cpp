@@ -54,7 +54,9 @@ class Incompressible final : public Physics {
     list.integer("corrections", corrections_)
         .at_least(0)
         .at_most(10)
-        .doc("how often what a fit of the mesh to the particles misses is spread again");
+        .doc(
+            "how often, at most, what a fit of the mesh to the particles misses is spread again; less often where "
+            "particles are even");
     list.number("shift", shift_)
         .unit("1")
         .at_least(0)

@@ -230,7 +230,7 @@ class MeshFlow {
     Complex* const flux = room(0);
     for (int a = 0; a < Dim; ++a) {
       for (int b = a; b < Dim; ++b) {
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (count >= mesh::few)
         for (std::ptrdiff_t x = 0; x < count; ++x) points_[Dim][x] = points_[a][x] * points_[b][x];
         spectrum_.transform().forward(points_[Dim].data(), flux);
         spectrum_.for_each_mode([&](std::size_t n, const WaveVector& k) {
@@ -263,7 +263,7 @@ class MeshFlow {
     const auto& grid = spectrum_.grid();
     const int in_row = grid.modes_in_row();
     row_sums_.assign(static_cast<std::size_t>(grid.row_count()), 0.0);
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (grid.mode_count() >= mesh::few)
     for (int row = 0; row < grid.row_count(); ++row) {
       std::array<int, Dim> at{};
       grid.row_coordinates(row, at);

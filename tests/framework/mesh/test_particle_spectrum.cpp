@@ -106,6 +106,8 @@ TEST(ParticleSpectrum, AVoidIsAnError) {
   ParticleSpectrum<2> spectrum(Grid<2>{{32, 32}, {length, length}});
   try {
     spectrum.locate({particles.x.data(), particles.y.data()}, particles.count());
+    std::vector<Complex> modes(spectrum.mode_count());
+    spectrum.unevenness(modes.data());
     FAIL() << "it was not noticed";
   } catch (const Error& error) {
     EXPECT_EQ(error.code(), ExitCode::run_failed);

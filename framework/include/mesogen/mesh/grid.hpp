@@ -49,6 +49,9 @@ struct Grid {
   bool operator==(const Grid&) const = default;
 };
 
+/// Loops over fewer points or modes are left to one thread: several would wait for each other longer than they compute.
+inline constexpr int few = 4096;
+
 /// The even number nearest to `wanted`, at least 8, without other factors than 2, 3 and 5: what a Fourier transform
 /// takes fast.
 MESOGEN_EXPORT int fast_size(double wanted);

@@ -10,6 +10,7 @@
 
 #include "mesogen/field/view.hpp"
 #include "mesogen/mesh/cubic_spline.hpp"
+#include "mesogen/mesh/four_points.hpp"
 #include "mesogen/mesh/grid.hpp"
 
 namespace mesogen::mesh {
@@ -68,7 +69,7 @@ class ParticleMesh {
       const int end = std::min(layers, first + layers_in_slab);
       for (Index n = begin_of_layer(first); n < begin_of_layer(end); ++n) add<Count>(at(n), first, value, slab, field);
     }
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (grid_.point_count() >= few)
     for (int row = 0; row < grid_.row_count(); ++row) put_together<Count>(row, field, layer, out);
   }
 
@@ -80,7 +81,7 @@ class ParticleMesh {
     // Rows with their first points once more behind the last.
     const std::ptrdiff_t field = static_cast<std::ptrdiff_t>(line_) * rows;
     lines_.resize(static_cast<std::size_t>(field * Count));
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (grid_.point_count() >= few)
     for (int row = 0; row < rows; ++row) {
       for (int c = 0; c < Count; ++c) {
         double* const line = lines_.data() + c * field + static_cast<std::ptrdiff_t>(row) * line_;
@@ -96,17 +97,15 @@ class ParticleMesh {
       for (Index n = begin_[static_cast<std::size_t>(row)]; n < begin_[static_cast<std::size_t>(row) + 1]; ++n) {
         const Located& where = at(n);
         double numbers[Count];
-        for (int c = 0; c < Count; ++c) {
-          double sum[reach] = {};
-          for (int r = 0; r < reach_of_rows; ++r) {
-            double across = where.weight[1][r % reach];
-            if constexpr (Dim == 3) across *= where.weight[2][r / reach];
-            const double* const values = line[r] + c * field + where.column;
-            for (int p = 0; p < reach; ++p) sum[p] += across * values[p];
-          }
-          const double(&along)[reach] = where.weight[0];
-          numbers[c] = (sum[0] * along[0] + sum[1] * along[1]) + (sum[2] * along[2] + sum[3] * along[3]);
+        const FourPoints along = load(where.weight[0]);
+        FourPoints sums[Count];
+        for (int c = 0; c < Count; ++c) sums[c] = FourPoints(0.0);
+        for (int r = 0; r < reach_of_rows; ++r) {
+          const FourPoints weight = along * FourPoints(across(where, r));
+          const double* const values = line[r] + where.column;
+          for (int c = 0; c < Count; ++c) sums[c] = sums[c] + weight * load(values + c * field);
         }
+        for (int c = 0; c < Count; ++c) numbers[c] = sum(sums[c]);
         take(where.particle, numbers);
       }
     }
@@ -126,6 +125,12 @@ class ParticleMesh {
     Index particle;
     int column;
   };
+
+  /// Weight of the r-th row that a particle touches.
+  [[gnu::always_inline]] static double across(const Located& where, int r) {
+    if constexpr (Dim == 2) return where.weight[1][r];
+    return where.weight[1][r % reach] * where.weight[last][r / reach];
+  }
 
   [[nodiscard]] const Located& at(Index n) const { return located_[static_cast<std::size_t>(n)]; }
   [[nodiscard]] Index begin_of_layer(int layer) const {
@@ -218,19 +223,14 @@ class ParticleMesh {
     if constexpr (Dim == 3)
       line = (where.row / grid_.points[1] - first_layer) * lines_in_layer_ + where.row % grid_.points[1];
     double* const to = slab + static_cast<std::ptrdiff_t>(line) * line_ + where.column;
-    for (int c = 0; c < Count; ++c) {
-      double along[reach];
-      for (int p = 0; p < reach; ++p) along[p] = numbers[c] * where.weight[0][p];
-      for (int r = 0; r < reach_of_rows; ++r) {
-        double across = where.weight[1][r % reach];
-        std::ptrdiff_t down = r % reach;
-        if constexpr (Dim == 3) {
-          across *= where.weight[2][r / reach];
-          down += static_cast<std::ptrdiff_t>(r / reach) * lines_in_layer_;
-        }
-        double* const points = to + c * field + down * line_;
-        for (int p = 0; p < reach; ++p) points[p] += across * along[p];
-      }
+    const FourPoints along = load(where.weight[0]);
+    for (int r = 0; r < reach_of_rows; ++r) {
+      const FourPoints weight = along * FourPoints(across(where, r));
+      std::ptrdiff_t down = r % reach;
+      if constexpr (Dim == 3) down += static_cast<std::ptrdiff_t>(r / reach) * lines_in_layer_;
+      double* const points = to + down * line_;
+      for (int c = 0; c < Count; ++c)
+        store(load(points + c * field) + weight * FourPoints(numbers[c]), points + c * field);
     }
   }
 
