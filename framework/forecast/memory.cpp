@@ -6,6 +6,7 @@
 #include <set>
 
 #include "domain/neighbourhood.hpp"
+#include "plugin/plugin_call.hpp"
 #include "simulation/planned_fields.hpp"
 
 namespace mesogen {
@@ -166,7 +167,8 @@ MemoryForecast forecast_memory(const Setup& setup, double program) {
                       {"neighbour search", counted.neighbour_search()},
                       {"fields", counted.fields()}};
   double of_plugins = 0.0;
-  for (const auto& member : setup.physics) of_plugins += member.plugin->memory();
+  for (const auto& member : setup.physics)
+    call_plugin(member.type, "memory()", [&] { of_plugins += member.plugin->memory(); });
   if (of_plugins > 0.0) forecast.lasting.push_back({"what plugins keep", of_plugins});
   if (const double weights = counted.weights(); weights > 0.0) forecast.lasting.push_back({"weights", weights});
   // Encoding holds the values, the file in memory, and the bytes that are written.

@@ -7,6 +7,7 @@
 #include "mesogen/diagnostics/error.hpp"
 #include "mesogen/plugin/context.hpp"
 #include "plugin/plugin_call.hpp"
+#include "schedule/derived_name.hpp"
 
 namespace mesogen {
 
@@ -150,22 +151,39 @@ void Executor::prepare(const std::string& field) {
 }
 
 void Executor::prepare(const std::vector<std::string>& fields) {
-  for (const std::string& field : fields) {
-    const auto made = std::find_if(observed_.begin(), observed_.end(), [&](const Observed& observed) {
-      return contains(observed.work->pass.write_list, field);
-    });
-    made == observed_.end() ? prepare(field) : observe(*made);
-  }
+  for (const std::string& field : fields) prepare_for_reader(field);
+}
+
+void Executor::prepare_for_reader(const std::string& field) {
+  const auto made = std::find_if(observed_.begin(), observed_.end(), [&](const Observed& observed) {
+    return contains(observed.work->pass.write_list, field);
+  });
+  if (made != observed_.end()) return observe(*made);
+  // A gradient of what is made for readers.
+  if (const std::string source = derived_name(field).source; derived_.has(field) && !source.empty())
+    prepare_for_reader(source);
+  prepare(field);
 }
 
 // Only if particles, what it reads or what it wrote are no longer as they were: another pass may have written that.
 void Executor::observe(Observed& observed) {
+  const Pass& pass = observed.work->pass;
+  const auto bring = [&](const std::vector<std::string>& sources) {
+    for (const std::string& name : sources)
+      if (!contains(pass.write_list, name)) prepare_for_reader(name);
+  };
+  bring(pass.own_reads);
+  bring(pass.neighbour_reads);
   const auto versions = [&] {
     std::map<std::string, std::uint64_t> all;
-    const Pass& pass = observed.work->pass;
-    for (const auto* const list : {&pass.own_reads, &pass.neighbour_reads, &pass.write_list})
-      for (const std::string& name : *list)
+    const auto note = [&](const std::vector<std::string>& names) {
+      for (const std::string& name : names)
         if (const Field* const field = world_.fields.find(name)) all[name] = field->version;
+    };
+    note(pass.own_reads);
+    note(pass.neighbour_reads);
+    note(pass.optional_reads);
+    note(pass.write_list);
     return all;
   };
   if (observed.positions == world_.positions_version() && observed.versions == versions()) return;

@@ -36,6 +36,7 @@ class MESOGEN_EXPORT Executor {
 
   void run(Work& work);
   void prepare(const std::string& field);
+  void prepare_for_reader(const std::string& field);
   void observe(Observed& observed);
 
   World& world_;

@@ -55,7 +55,11 @@ StepGraph::StepGraph(const Catalogue& catalogue, const std::vector<Member>& memb
 
   Need integration{{}, &derived_for_integration_, {}, 0, true};
   for (const auto& [name, entry] : catalogue_.all())
-    if (has_rate(entry.declaration.advance)) follow(entry.declaration.rate, "the time integration", integration);
+    if (has_rate(entry.declaration.advance)) {
+      follow(entry.declaration.rate, "the time integration", integration);
+    } else if (entry.declaration.advance == Advance::by_passes) {
+      follow(name, "the time integration", integration);
+    }
   for (const std::string& field : {transport_.velocity, transport_.shift})
     if (!field.empty()) follow(field, "the time integration", integration);
   for (Work& work : works_)
@@ -114,6 +118,16 @@ void StepGraph::check_fields() const {
       throw Error(ExitCode::plugin_refused, "'" + work.title() + "' is idle and writes '" +
                                                 work.pass.write_list.front() +
                                                 "': idle_if is for passes that only add to fields");
+    if (work.pass.phase == Phase::observe) {
+      if (!work.pass.accumulate_list.empty())
+        throw Error(ExitCode::plugin_refused, "'" + work.title() + "' adds to '" + work.pass.accumulate_list.front() +
+                                                  "' for readers: a pass of Phase::observe writes what it makes");
+      for (const std::string& field : work.pass.write_list)
+        if (catalogue_.outlasts_step(field))
+          throw Error(ExitCode::plugin_refused, "'" + work.title() + "' writes '" + field +
+                                                    "' for readers, which keeps its value from step to step: who "
+                                                    "looks must change nothing");
+    }
     for (const auto* const list : {&work.pass.write_list, &work.pass.accumulate_list})
       for (const std::string& field : *list)
         if (catalogue_.is_state(field))

@@ -18,8 +18,11 @@ Field& World::add_field(const std::string& name, int components, bool integrated
 }
 
 Field& World::add_copy_in_double(const Field& of) {
-  Field& field = fields.add(std::make_unique<Field>(of.name() + " at the start of the step", of.components(),
-                                                    Precision::double_precision, true));
+  return add_in_double(of.name() + " at the start of the step", of.components());
+}
+
+Field& World::add_in_double(const std::string& name, int components) {
+  Field& field = fields.add(std::make_unique<Field>(name, components, Precision::double_precision, true));
   field.resize(particles.count(), neighbourhood.outside_count());
   return field;
 }

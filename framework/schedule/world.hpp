@@ -35,6 +35,8 @@ class MESOGEN_EXPORT World {
   Field& add_field(const std::string& name, int components, bool integrated);
   /// Room for the doubles of an integrated field at another time; kept in order as all fields are.
   Field& add_copy_in_double(const Field& of);
+  /// A field of doubles of the framework's own.
+  Field& add_in_double(const std::string& name, int components);
   /// To be called whenever positions changed.
   void mark_moved() {
     moved_ = true;

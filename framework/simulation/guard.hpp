@@ -26,6 +26,8 @@ class MESOGEN_EXPORT Guard {
 
   /// After a step. Throws Error(run_failed).
   void check(const Motion& motion) const;
+  /// Of it, whether what is advanced is finite.
+  void check_finite(const Motion& motion) const;
 
  private:
   struct Guarded {
@@ -33,7 +35,6 @@ class MESOGEN_EXPORT Guard {
     FieldBounds bounds;
   };
 
-  void check_finite(const Motion& motion) const;
   void check_speed(const Motion& motion) const;
   void check_step(const Motion& motion) const;
   void check_fields() const;

@@ -52,16 +52,17 @@ bool Replay::never_changes(const std::string& field) const {
 
 /// The field that would have to be stored for this one to be known; empty if it is known.
 std::string Replay::missing_source(const std::string& field) const {
-  if (frames_.find(field) != nullptr || never_changes(field)) return {};
   // What a pass makes for readers is made here too, if what that reads is known.
   for (const Work& work : setup_.graph->works()) {
     if (work.pass.phase != Phase::observe ||
         std::ranges::find(work.pass.write_list, field) == work.pass.write_list.end())
       continue;
-    for (const std::string& source : work.pass.own_reads)
-      if (const std::string missing = missing_source(source); !missing.empty()) return missing;
+    for (const auto* const list : {&work.pass.own_reads, &work.pass.neighbour_reads})
+      for (const std::string& source : *list)
+        if (const std::string missing = missing_source(source); !missing.empty()) return missing;
     return {};
   }
+  if (frames_.find(field) != nullptr || never_changes(field)) return {};
   if (setup_.catalogue.find(field) != nullptr) return field;
   const DerivedName derived = derived_name(field);
   return derived.source.empty() ? std::string() : missing_source(derived.source);

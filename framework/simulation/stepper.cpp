@@ -6,6 +6,7 @@
 #include <set>
 
 #include "initial/fields.hpp"
+#include "plugin/plugin_call.hpp"
 #include "simulation/planned_fields.hpp"
 
 namespace mesogen {
@@ -28,6 +29,17 @@ bool moves(const Transport& flow) { return !flow.velocity.empty() && !flow.fixed
 
 // Where nobody needs neighbours: often enough for the order of storage to follow the particles.
 constexpr std::int64_t steps_between_orderings = 32;
+
+/// Where a plugin keeps numbers of its own.
+std::span<double> numbers_of(const Setup::PhysicsMember& member, const PassList::Kept& kept) {
+  std::span<double> numbers;
+  call_plugin(member.type, "keep(\"" + kept.name + "\")", [&] { numbers = kept.where(); });
+  if (numbers.size() != kept.count)
+    throw Error(ExitCode::plugin_refused, member.instance + " keeps '" + kept.name + "' as " +
+                                              std::to_string(numbers.size()) + " numbers, where it told of " +
+                                              std::to_string(kept.count) + ": name the number that there are");
+  return numbers;
+}
 
 TimeScheme time_scheme(const std::string& name) {
   return name == "midpoint" ? TimeScheme::midpoint : TimeScheme::half_steps;
@@ -121,7 +133,10 @@ void Stepper::advance(double step_size, const std::vector<bool>& reader_due, std
   ++world_.step;
   guard_.check(motion_);
   executor_.run(Phase::end, reader_due);
-  if (integrator_.velocity_by_passes()) motion_.fastest = integrator_.fastest();
+  if (integrator_.velocity_by_passes()) {
+    integrator_.look(step_size, motion_);
+    guard_.check_finite(motion_);
+  }
 }
 
 void Stepper::keep_order() {
@@ -154,9 +169,10 @@ void Stepper::save(Checkpoint& checkpoint) {
       for (Index i = 0; i < world_.particles.count(); ++i) values[static_cast<std::size_t>(i)] = field.value(c, i);
     }
   }
+  if (integrator_.velocity_by_passes()) checkpoint.numbers["largest acceleration"] = {motion_.largest_acceleration};
   for (const auto& member : setup_.physics) {
     for (const auto& kept : member.passes.kept()) {
-      const auto numbers = kept.where();
+      const auto numbers = numbers_of(member, kept);
       checkpoint.numbers[member.instance + " keeps " + kept.name].assign(numbers.begin(), numbers.end());
     }
   }
@@ -205,12 +221,14 @@ void Stepper::restore(const Checkpoint& checkpoint) {
   for (const auto& member : setup_.physics) {
     for (const auto& kept : member.passes.kept()) {
       const auto& numbers = take_of(checkpoint.numbers, member.instance + " keeps " + kept.name, kept.count, "numbers");
-      std::copy(numbers.begin(), numbers.end(), kept.where().begin());
+      std::copy(numbers.begin(), numbers.end(), numbers_of(member, kept).begin());
     }
   }
   world_.restore_order(std::move(sorted));
   motion_.fastest = integrator_.fastest();
-  motion_.largest_acceleration = integrator_.largest_acceleration();
+  motion_.largest_acceleration = integrator_.velocity_by_passes()
+                                     ? take_of(checkpoint.numbers, "largest acceleration", 1, "numbers").front()
+                                     : integrator_.largest_acceleration();
 }
 
 std::vector<Stepper::Share> Stepper::shares() const {

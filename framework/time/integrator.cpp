@@ -56,7 +56,8 @@ Integrator::Integrator(World& world, const Catalogue& catalogue, const Transport
   if (!transport.velocity.empty()) velocity_ = &world.fields.at(transport.velocity);
   if (!transport.shift.empty()) shift_ = &world.fields.at(transport.shift);
   if (velocity_ != nullptr && acceleration_ == nullptr && !fixed_)
-    way_to_midpoint_ = &world.add_copy_in_double(*velocity_);
+    way_to_midpoint_ = &world.add_in_double("way to the midpoint", velocity_->components());
+  if (!transport.drive.empty()) drive_ = world.fields.find(transport.drive);
 }
 
 template <class Real, int Components>
@@ -208,7 +209,35 @@ void Integrator::advance_fields(double step_size, Motion& motion) {
   }
 }
 
-double Integrator::largest_acceleration() const { return largest_length(acceleration_, world_.particles.count()); }
+template <class Real>
+void Integrator::look(double step_size, Motion& motion) const {
+  const Index count = world_.particles.count();
+  const int axes = velocity_->components();
+  const FieldView<Real> velocity = velocity_->view<Real>();
+  const FieldView<double> way = way_to_midpoint_->master();
+  const exec::Blocks blocks(count);
+  double largest = 0.0;
+#pragma omp parallel for schedule(static) reduction(max : largest)
+  for (Index block = 0; block < blocks.number(); ++block) {
+    for (Index i = blocks.begin(block); i < blocks.end(block); ++i) {
+      double square = 0.0;
+      for (int c = 0; c < axes; ++c)
+        square += std::pow(static_cast<double>(velocity(c, i)) - 2.0 / step_size * way(c, i), 2);
+      largest = square <= most ? std::max(largest, square) : HUGE_VAL;
+    }
+  }
+  motion.fastest = fastest();
+  motion.largest_acceleration = std::sqrt(largest) / step_size;
+  motion.finite = motion.finite && std::isfinite(motion.fastest) && std::isfinite(largest);
+}
+
+void Integrator::look(double step_size, Motion& motion) const {
+  world_.single() ? look<float>(step_size, motion) : look<double>(step_size, motion);
+}
+
+double Integrator::largest_acceleration() const {
+  return largest_length(acceleration_ == nullptr ? drive_ : acceleration_, world_.particles.count());
+}
 
 double Integrator::fastest() const { return largest_length(velocity_, world_.particles.count()); }
 
@@ -222,8 +251,9 @@ Integrator::Bad Integrator::find_bad() const {
   for (const Advanced& one : advanced_)
     for (const Field* const field : {static_cast<const Field*>(one.rate), static_cast<const Field*>(one.field)})
       if (const Index i = bad_in(*field); i >= 0) return {field->name(), i};
-  if (shift_ != nullptr)
-    if (const Index i = bad_in(*shift_); i >= 0) return {shift_->name(), i};
+  for (const Field* const field : {velocity_, shift_})
+    if (field != nullptr)
+      if (const Index i = bad_in(*field); i >= 0) return {field->name(), i};
   for (Index i = 0; i < world_.particles.count(); ++i)
     for (int d = 0; d < world_.scene.dimension; ++d)
       if (!(std::abs(world_.particles.position[d][i]) <= most)) return {"position", i};

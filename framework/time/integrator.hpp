@@ -43,7 +43,11 @@ class MESOGEN_EXPORT Integrator {
   void predict(double step_size);
   Motion correct(double step_size);
 
-  /// Largest magnitude of the rates of velocity now; 0 if nothing moves.
+  /// What a step left where passes advance the velocity, once they have.
+  void look(double step_size, Motion& motion) const;
+
+  /// Largest magnitude of the rates of velocity now; 0 if nothing moves. Where passes advance the velocity, of what
+  /// drives it.
   [[nodiscard]] double largest_acceleration() const;
   /// Largest speed now; 0 if nothing moves.
   [[nodiscard]] double fastest() const;
@@ -85,6 +89,8 @@ class MESOGEN_EXPORT Integrator {
   template <class Real>
   bool move_by_passes(double step_size, bool to_midpoint);
   Motion correct_by_passes(double step_size);
+  template <class Real>
+  void look(double step_size, Motion& motion) const;
   void advance_fields(double step_size, Motion& motion);
 
   World& world_;
@@ -93,6 +99,7 @@ class MESOGEN_EXPORT Integrator {
   std::vector<Advanced> advanced_;
   Field* velocity_ = nullptr;
   Field* acceleration_ = nullptr;
+  Field* drive_ = nullptr;
   Field* shift_ = nullptr;
   Field* way_to_midpoint_ = nullptr;  // of each particle, m; where passes advance the velocity
 };

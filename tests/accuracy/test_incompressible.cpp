@@ -6,6 +6,7 @@
 #include <omp.h>
 
 #include <cmath>
+#include <span>
 
 #include "case_run.hpp"
 
@@ -142,6 +143,33 @@ TEST(IncompressibleSameBits, ACheckpointWithoutTheFlowIsRefused) {
     EXPECT_STREQ(error.what(),
                  "the checkpoint has no 'physics.flow keeps newer force' for 576 numbers: it belongs to another case");
   }
+}
+
+TEST(IncompressibleSameBits, NumbersThatAPluginKeepsAreAsManyAsItTold) {
+  CaseRun run(lively("periodic_wrap"));
+  std::vector<double> two(2);
+  run.setup().physics.front().passes.keep("more", 3, [&] { return std::span<double>(two); });
+  Checkpoint checkpoint;
+  try {
+    run.stepper().save(checkpoint);
+    FAIL() << "saved";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ExitCode::plugin_refused);
+    EXPECT_STREQ(error.what(),
+                 "physics.flow keeps 'more' as 2 numbers, where it told of 3: name the number that there are");
+  }
+}
+
+// From rest nothing moves at first; the steps must follow what drives the fluid all the same.
+TEST(IncompressibleSteps, AFlowFromRestIsFollowed) {
+  CaseText text(1.0, 16);
+  text.section("physics.flow", "type = \"incompressible\"\ndensity = 1.0\nviscosity = 0.01")
+      .section("physics.push", "type = \"body_force\"\nforce = [1.0, 0.0]");
+  CaseRun run(text);
+  run.run_to(0.5);
+  EXPECT_GT(run.world().step, 5);
+  for (const double u : run.field("velocity", 0)) ASSERT_NEAR(u, 0.5, 1e-12);
+  for (const double x : run.path(0)) ASSERT_GT(x, 0.124);
 }
 
 TEST(IncompressibleGhosts, AreAsGoodAsWrapping) {

@@ -73,6 +73,15 @@ class Replay(CommandTest):
         crossed = numpy.abs(before["paths", "path"][2]).max()
         self.assertGreater(crossed, 1.6, "no particle left the box: the test shows nothing")
 
+    def test_an_incompressible_flow_makes_its_gradients_anew(self):
+        self.run_once(RUN.replace('type = "wcsph"', 'type = "incompressible"'))
+        _, err = self.mesogen("replay", "out")
+        self.assertNotIn("warning", err)
+        before, after = samples(self.path("out", "results.h5")), samples(self.path("out", "replay.h5"))
+        for name in (("flow", "v_rms"), ("flow", "vorticity_rms"), ("nematic", "free_energy"), ("nematic", "mean_order")):
+            self.assertGreater(numpy.abs(before[name][2]).max(), 1e-3, name)
+            numpy.testing.assert_allclose(after[name][2], before[name][2], rtol=1e-7, err_msg=str(name))
+
     def test_single_precision_agrees_to_its_rounding(self):
         self.run_once(RUN.replace('"double"', '"single"'))
         self.mesogen("replay", "out", "--quiet")

@@ -46,6 +46,7 @@ class Friction final : public Physics {
 
   void step_limits(const Scene& scene, StepLimits& limits) const override {
     const auto density = scene.constants.find("density");
+    if (scene.scales.friction_for_any_step) return;
     if (coefficient_ > 0.0 && density != scene.constants.end())
       limits.add("friction: 0.25 rho / xi", 0.25 * density->second / coefficient_);
   }

@@ -10,7 +10,6 @@
 // smoothing kernel is a few per cent off, and stable for any step.
 
 #include <algorithm>
-#include <iterator>
 #include <memory>
 #include <optional>
 
@@ -68,6 +67,7 @@ class Incompressible final : public Physics {
 
   void scales(Scales& scales) const override {
     scales.laplacians_for_any_step.insert("order_tensor");
+    scales.friction_for_any_step = true;
     if (expected_speed_) scales.speed = std::max(scales.speed, *expected_speed_);
   }
   void constants(Constants& constants) const override {
@@ -86,6 +86,10 @@ class Incompressible final : public Physics {
       return at == scene.constants.end() ? otherwise : at->second;
     };
     fluid_.friction = number("friction", 0.0);
+    if (scene.constants.contains("elastic_constant") && !scene.constants.contains("rotational_diffusivity"))
+      throw Error(ExitCode::bad_case,
+                  "an incompressible flow slows the Laplacian of the order tensor by its diffusivity: the nematic must "
+                  "publish the constant rotational_diffusivity beside elastic_constant");
     diffusivity_ = number("rotational_diffusivity", 0.0) * number("elastic_constant", 0.0);
     nematic_ = scene.constants.contains("elastic_constant");
     for (int d = 0; d < Dim; ++d) {
@@ -103,8 +107,8 @@ class Incompressible final : public Physics {
 
   void passes(PassList& list) override {
     fields(list);
-    list.flows({"velocity", "shift_velocity", true, false});
-    for (int n = 0; prepared_ && n < static_cast<int>(std::size(Momentum::kept)); ++n)
+    list.flows({"velocity", "shift_velocity", true, false, "acceleration"});
+    for (int n = 0; prepared_ && n < Momentum::kept_count; ++n)
       list.keep(Momentum::kept[n], Momentum::count(grid_, n), [this, n] { return flow().momentum().numbers(n); });
     pass(list, "flow at the midpoint", Phase::begin, &MeshFlow<Real, Dim>::to_midpoint)
         .reads({"velocity"})

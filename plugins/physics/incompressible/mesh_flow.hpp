@@ -46,9 +46,9 @@ class MeshFlow {
   /// What all of it takes, bytes: modes (complex, half as many as points), fields on the mesh, particles on it.
   static double memory(const mesh::Grid<Dim>& grid, Index particles) {
     const auto points = static_cast<double>(grid.point_count());
-    constexpr double modes = 3 * Dim + 2 * Dim + (gradients + Dim) + Dim + 1;
-    constexpr double fields = 1 + (gradients + Dim + 1) + (Dim + 1) + (gradients + Dim + 1) + 0.5;
-    return 8.0 * points * (modes + fields) + static_cast<double>(particles) * (60.0 + 8.0 * Dim);
+    constexpr double modes = 3 * Dim + 2 * Dim + (gradients + Dim + 1) + Dim + 1;
+    constexpr double fields = 1 + (gradients + Dim + 1) + 2 * (Dim + 1) + (gradients + Dim + 1) + 0.5;
+    return 8.0 * points * (modes + fields) + static_cast<double>(particles) * (28.0 + 40.0 * Dim);
   }
 
   /// Velocity and its gradient as they will be at the middle of the step, at the particles.
@@ -90,12 +90,9 @@ class MeshFlow {
     find_acceleration(context, force);
     Complex* const modes = copy(0, force[0]);
     spectrum_.for_each_mode([&](std::size_t n, const WaveVector& k) {
-      double square = 0.0;
+      const double square = Spectrum::square(k);
       Complex along(0.0);
-      for (int d = 0; d < Dim; ++d) {
-        square += k[d] * k[d];
-        along += k[d] * force[d][n];
-      }
+      for (int d = 0; d < Dim; ++d) along += k[d] * force[d][n];
       modes[n] = square > 0.0 ? Complex(0.0, -fluid_.density / square) * along : Complex(0.0);
     });
     const auto pressure = context.write<Real>("pressure");
@@ -119,6 +116,12 @@ class MeshFlow {
     locate(context);
     const Modes velocity = modes_of(work_);
     fit(context.read<Real>("velocity"), velocity);
+    spectrum_.for_each_mode([&](std::size_t n, const WaveVector& k) {
+      std::array<Complex, Dim> u{};
+      for (int d = 0; d < Dim; ++d) u[d] = velocity[d][n];
+      Momentum<Dim>::project(k, u);
+      for (int d = 0; d < Dim; ++d) velocity[d][n] = u[d];
+    });
     const auto gradient = context.write<Real>("velocity_gradient");
     std::array<Complex*, gradients> modes{};
     differentiate(velocity, modes.data(), 0);
@@ -146,8 +149,7 @@ class MeshFlow {
     std::array<Complex*, slopes + components> modes{};
     for (int c = 0; c < slopes + components; ++c) modes[c] = room(c);
     spectrum_.for_each_mode([&](std::size_t n, const WaveVector& k) {
-      double square = 0.0;
-      for (int d = 0; d < Dim; ++d) square += k[d] * k[d];
+      const double square = Spectrum::square(k);
       for (int c = 0; c < components; ++c) {
         for (int d = 0; d < Dim; ++d) modes[c * Dim + d][n] = Complex(0.0, k[d]) * tensor[c][n];
         modes[slopes + c][n] = (below - square * limited(scale * square)) * tensor[c][n];
@@ -175,8 +177,7 @@ class MeshFlow {
     Modes modes{};
     for (int d = 0; d < Dim; ++d) modes[d] = room(d);
     spectrum_.for_each_mode([&](std::size_t n, const WaveVector& k) {
-      double square = 0.0;
-      for (int d = 0; d < Dim; ++d) square += k[d] * k[d];
+      const double square = Spectrum::square(k);
       for (int d = 0; d < Dim; ++d)
         modes[d][n] = square > 0.0 ? Complex(0.0, -rate * k[d] / square) * uneven[n] : Complex(0.0);
     });

@@ -9,6 +9,7 @@
 // Matthews, J. Comput. Phys. 176, 430 (2002)). Fast modes follow their force at once, so no step is too long for
 // viscosity, and the creeping flow without inertia, u = N / rate, is the same formula with nothing left of the start.
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <complex>
@@ -47,6 +48,15 @@ class Momentum {
         older_(velocity_.size()),
         newer_(velocity_.size()) {}
 
+  /// Leaves of a wave what has no divergence.
+  static void project(const WaveVector& k, std::array<Complex, Dim>& u) {
+    const double square = Spectrum::square(k);
+    Complex along(0.0);
+    for (int d = 0; d < Dim; ++d) along += k[d] * u[d];
+    if (square == 0.0) return;
+    for (int d = 0; d < Dim; ++d) u[d] -= k[d] / square * along;
+  }
+
   /// A flow with these velocities begins; what divergence they have is taken out.
   void start(double time, const Modes& velocity) {
     times_ = {time, 0.0, 0.0, 0.0};
@@ -82,9 +92,7 @@ class Momentum {
     const double per_time = two ? 1.0 / (times_[newer] - times_[older]) : 0.0;
     const double at_start = (times_[start_of_step] - times_[newer]) * per_time;
     spectrum_.for_each_mode([&](std::size_t n, const WaveVector& k) {
-      double square = 0.0;
-      for (int d = 0; d < Dim; ++d) square += k[d] * k[d];
-      const double rate = (fluid_.viscosity * square + fluid_.friction) / fluid_.density;
+      const double rate = (fluid_.viscosity * Spectrum::square(k) + fluid_.friction) / fluid_.density;
       // u = of_start u_start + constant N_start + slope dN/dt
       double of_start = 0.0;
       double constant = rate > 0.0 ? 1.0 / rate : 0.0;
@@ -112,7 +120,8 @@ class Momentum {
   [[nodiscard]] const Complex* velocity(int d) const { return component(velocity_, d); }
 
   /// All that it remembers, for checkpoints.
-  static constexpr const char* kept[] = {"velocity", "older force", "newer force", "times"};
+  static constexpr int kept_count = 4;
+  static constexpr const char* kept[kept_count] = {"velocity", "older force", "newer force", "times"};
   [[nodiscard]] std::span<double> numbers(int n) {
     std::vector<Complex>* const all[] = {&velocity_, &older_, &newer_};
     if (n == 3) return times_;
@@ -122,17 +131,6 @@ class Momentum {
 
  private:
   enum Time { start_of_step, older, newer, known };
-
-  static void project(const WaveVector& k, std::array<Complex, Dim>& u) {
-    double square = 0.0;
-    Complex along(0.0);
-    for (int d = 0; d < Dim; ++d) {
-      square += k[d] * k[d];
-      along += k[d] * u[d];
-    }
-    if (square == 0.0) return;
-    for (int d = 0; d < Dim; ++d) u[d] -= k[d] / square * along;
-  }
 
   [[nodiscard]] Complex* component(std::vector<Complex>& all, int d) const {
     return all.data() + static_cast<std::size_t>(d) * spectrum_.mode_count();

@@ -7,7 +7,9 @@
 #include <numeric>
 #include <string>
 
+#include "mesogen/exec/random.hpp"
 #include "mesogen/testing/plugin_harness.hpp"
+#include "momentum.hpp"
 
 namespace {
 
@@ -82,15 +84,58 @@ TEST(Incompressible, PressureTakesWhatHasDivergence) {
   EXPECT_NEAR(sine_of(run, "velocity", 0), 0.0, 1e-12);
 }
 
-TEST(Incompressible, VelocityHasNoDivergence) {
+// Whatever drives it and however it started: k . u = 0 for every mode, to rounding.
+TEST(Incompressible, ModesOfTheVelocityHaveNoDivergence) {
+  using incompressible::Momentum;
+  mesh::ParticleSpectrum<2> spectrum({{16, 12}, {1.0, 1.5}});
+  Momentum<2> momentum(spectrum, {.density = 2.0, .viscosity = 0.1, .friction = 0.3});
+  std::array<std::vector<mesh::Complex>, 2> noise;
+  const Momentum<2>::Modes modes = [&] {
+    Momentum<2>::Modes all{};
+    for (int d = 0; d < 2; ++d) {
+      for (std::size_t n = 0; n < spectrum.mode_count(); ++n)
+        noise[d].emplace_back(exec::random_uniform(1, static_cast<std::int64_t>(n), 2 * d) - 0.5,
+                              exec::random_uniform(1, static_cast<std::int64_t>(n), 2 * d + 1) - 0.5);
+      all[d] = noise[d].data();
+    }
+    return all;
+  }();
+  momentum.start(0.0, modes);
+  momentum.take(0.05, modes);
+  momentum.advance_to(0.1);
+  double largest = 0.0;
+  double divergence = 0.0;
+  spectrum.for_each_mode([&](std::size_t n, const auto& k) {
+    const auto u = momentum.velocity(0)[n];
+    const auto v = momentum.velocity(1)[n];
+#pragma omp critical
+    {
+      divergence = std::max(divergence, std::abs(k[0] * u + k[1] * v));
+      largest = std::max(largest, std::abs(u) * std::hypot(k[0], k[1]));
+    }
+  });
+  EXPECT_GT(largest, 1.0);
+  EXPECT_LT(divergence, 1e-14 * largest);
+}
+
+// The gradient that others read against differences of the velocity itself between near particles.
+TEST(Incompressible, GradientsAreThoseOfTheVelocity) {
   PluginHarness run = flow("", lattice(0.01));
   run.set("velocity", {[](double x, double y) { return std::sin(k * (x + y)); },
-                       [](double x, double y) { return std::cos(k * (x - y)); }});
+                       [](double x, double y) { return std::cos(k * (x - y)) - std::sin(k * (x + y)); }});
   run.set("acceleration", {none, none});
-  run.step(2);
-  const auto ux = run.values("velocity_gradient", 0);
-  const auto vy = run.values("velocity_gradient", 3);
-  for (std::size_t i = 0; i < ux.size(); ++i) ASSERT_EQ(ux[i] + vy[i], 0.0);
+  run.start();
+  const auto x = run.position(0);
+  const auto y = run.position(1);
+  const auto uy = run.values("velocity_gradient", 1);
+  const auto vx = run.values("velocity_gradient", 2);
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    // cos k (x - y) has a divergence: half of it stays, turned along its waves.
+    const double shear = k * std::cos(k * (x[i] + y[i]));
+    const double kept = -0.5 * k * std::sin(k * (x[i] - y[i]));
+    ASSERT_NEAR(uy[i], shear - kept, 1e-2 * k);
+    ASSERT_NEAR(vx[i], -shear + kept, 1e-2 * k);
+  }
 }
 
 // An even force drives the whole box against friction; 0.2 s are ten times as long as an explicit step may be.
@@ -156,6 +201,24 @@ TEST(Incompressible, WallsAreRefusedWithTheWayOut) {
                   .find("an incompressible flow needs a box that is periodic along every axis: take boundary = "
                         "\"periodic_wrap\" or \"periodic_ghosts\", or between walls type = \"wcsph\""),
               std::string::npos)
+        << error.what();
+  }
+}
+
+TEST(Incompressible, ANematicMustTellItsDiffusivity) {
+  TestScene scene;
+  scene.constants = {{"elastic_constant", 0.02}};
+  try {
+    PluginHarness run = flow("", scene);
+    run.start();
+    FAIL() << "it was taken";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ExitCode::bad_case);
+    EXPECT_NE(
+        std::string(error.what())
+            .find("an incompressible flow slows the Laplacian of the order tensor by its diffusivity: the nematic "
+                  "must publish the constant rotational_diffusivity beside elastic_constant"),
+        std::string::npos)
         << error.what();
   }
 }

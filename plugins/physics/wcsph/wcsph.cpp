@@ -162,7 +162,7 @@ class Wcsph final : public Physics {
   // Where sound and viscosity keep steps short that motion and the rest of the physics would not.
   void suggest(const Scene& scene, const StepLimits& limits, std::vector<Suggestion>& list) const override {
     // With keys of its own the case asks for this plugin.
-    const bool as_it_comes = viscosity_form_ == "component" && !sound_speed_ && !expected_speed_ &&
+    const bool as_it_comes = viscosity_form_ == "component" && density_variation_ == 0.01 &&
                              pressure_form_ == "corrected" && diffusion_ == 0.0 && filter_ == 0.0 && !feedback_ &&
                              shift_ == 0.3 && shift_speed_ == "strain" && !shift_carries_fields_ &&
                              motion_ == "lagrangian";

@@ -18,8 +18,9 @@ using namespace mesogen;
 using namespace mesogen::test;
 
 /// Runs one pass that declared to read "f" and write "out".
-void run_pass(const std::function<void(const PassContext&)>& body) {
+void run_pass(const std::function<void(const PassContext&)>& body, bool moved = false) {
   ParticleScene scene({}, lattice(20, 20, 0.05));
+  if (moved) scene.world().mark_moved();
   scene.world().add_field("out", 1, false);
   scene.world().add_field("other", 1, false);
   Catalogue catalogue(2);
@@ -36,9 +37,9 @@ void run_pass(const std::function<void(const PassContext&)>& body) {
 }
 
 /// What it is told.
-std::string refusal(const std::function<void(const PassContext&)>& body) {
+std::string refusal(const std::function<void(const PassContext&)>& body, bool moved = false) {
   try {
-    run_pass(body);
+    run_pass(body, moved);
   } catch (const Error& error) {
     return error.code() == ExitCode::plugin_refused ? error.what() : "another exit code";
   }
@@ -85,6 +86,15 @@ TEST(Access, WrongPrecisionIsRefused) {
             where + "it asks for neighbours of another precision or dimension: take those of its class, Real and Dim");
   EXPECT_EQ(refusal([](const PassContext& context) { (void)context.neighbours<double, 3>(); }),
             where + "it asks for neighbours of another precision or dimension: take those of its class, Real and Dim");
+}
+
+// Where nobody declares that it looks at neighbours they are not found anew when particles have moved.
+TEST(Access, NeighboursOutOfDateAreRefused) {
+  const auto ask = [](const PassContext& context) { (void)context.neighbours<double, 2>(); };
+  EXPECT_EQ(refusal(ask), "no error");
+  EXPECT_EQ(refusal(ask, true), where +
+                                    "it asks for neighbours, and declares none that it reads: name the fields that it "
+                                    "reads at them in the pass's reads_neighbours");
 }
 
 TEST(Access, WhatAPassThrowsIsToldOn) {

@@ -196,6 +196,15 @@ TEST(StepGraph, AFieldOfADerivedNameIsThePluginsOwn) {
       << graph.text();
 }
 
+// What a plugin advances is advanced at every step, whether or not somebody reads it.
+TEST(StepGraph, PassesThatAdvanceAFieldAlwaysRun) {
+  GraphFixture all;
+  PassList& one = all.plugin("one");
+  one.field("memory", Rank::scalar).advanced_by_passes();
+  one.pass("remember").reads({"memory"}).writes({"memory"});
+  EXPECT_EQ(titles(all.graph()), Titles{"one: remember"});
+}
+
 TEST(StepGraph, WhatIsMadeForReadersIsNotMadeWithoutThem) {
   GraphFixture all;
   PassList& flow = all.plugin("flow");

@@ -136,4 +136,22 @@ TEST(StepGraphErrors, CycleIsShownEdgeByEdge) {
             "Remove one of the plugins from the case");
 }
 
+// Whoever looks must change nothing.
+TEST(StepGraphErrors, WhatIsMadeForReadersIsNeitherAddedToNorLasts) {
+  GraphFixture adds;
+  PassList& one = adds.plugin("one");
+  one.field("seen", Rank::scalar);
+  one.pass("look", Phase::observe).accumulates({"seen"});
+  EXPECT_EQ(adds.refusal(ExitCode::plugin_refused),
+            "'one: look' adds to 'seen' for readers: a pass of Phase::observe writes what it makes");
+  GraphFixture lasts;
+  PassList& flow = lasts.plugin("flow");
+  flow.field("u", Rank::vector).advanced_by_passes();
+  flow.pass("move", Phase::end).writes({"u"});
+  flow.pass("look", Phase::observe).writes({"u"});
+  EXPECT_EQ(lasts.refusal(ExitCode::plugin_refused),
+            "'flow: look' writes 'u' for readers, which keeps its value from step to step: who looks must change "
+            "nothing");
+}
+
 }  // namespace

@@ -100,6 +100,25 @@ TEST(Guard, AutomaticStepThatCollapsesIsGivenUp) {
           "the frames before are kept");
 }
 
+// Its velocity follows from modes: nobody has its acceleration.
+TEST(Guard, AFlowInModesThatRunsAwayIsGivenUp) {
+  CaseText text(4.0, 24);
+  text.section("physics.flow", "type = \"incompressible\"\ndensity = 1.0\nviscosity = 0.05");
+  text.modes("director", "[[1, 0, 0.4, 0.3]]").nematic(0.4, 0.7, 0.02).section("time", "end = 10.0");
+  CaseRun run(text);
+  Checkpoint checkpoint;
+  run.stepper().save(checkpoint);
+  auto& modes = checkpoint.numbers.at("physics.flow keeps velocity");
+  modes[modes.size() / 2 + 2] = 1e6;  // of v, the first wave along x
+  checkpoint.numbers.at("field velocity 0")[static_cast<std::size_t>(place_of(run, 77))] = 1e6;
+  run.stepper().restore(checkpoint);
+  expect_matches(failure(run, 1),
+                 "the run ran away: the largest speed, [0-9.e+]+ m/s of particle [0-9]+" + somewhere +
+                     R"(, asks for steps of [0-9.e-]+ s \(speed: 0\.2 dx / \|u\|\), where the fluid at rest allows )"
+                     R"([0-9.e-]+ s at t = [0-9.e-]+ s \(step 1, step size [0-9.e-]+ s\)\. Take a smaller step )"
+                     R"(\(time\.factor = 0\.5\), more particles, or a smaller activity; the frames before are kept)");
+}
+
 TEST(Guard, BoundsOfAFieldAreThoseOfItsPlugin) {
   for (const char* const precision : {"single", "double"}) {
     for (const double value : {0.35, -0.35}) {

@@ -28,12 +28,10 @@ struct Grid {
   [[nodiscard]] std::size_t mode_count() const {
     return static_cast<std::size_t>(row_count()) * static_cast<std::size_t>(modes_in_row());
   }
-  /// Wave number of the n-th mode along an axis, 1/m. The middle one, which has no partner of the other sign, stands
-  /// for both: derivatives take it for 0 (see `differentiable`).
+  /// Wave number of the n-th mode along an axis, 1/m.
   [[nodiscard]] double wave_number(int axis, int n) const {
     return 2.0 * std::numbers::pi / length[axis] * (2 * n <= points[axis] ? n : n - points[axis]);
   }
-  [[nodiscard]] bool is_highest(int axis, int n) const { return 2 * n == points[axis]; }
   /// Largest wave number along an axis that the grid can tell from others, 1/m.
   [[nodiscard]] double highest(int axis) const { return std::numbers::pi / spacing(axis); }
 

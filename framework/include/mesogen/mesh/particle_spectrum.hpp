@@ -37,7 +37,13 @@ class ParticleSpectrum {
   [[nodiscard]] bool has(std::size_t mode) const { return restore_[mode] > 0.0; }
   [[nodiscard]] FourierTransform& transform() { return transform_; }
 
-  /// action(n, k) for all modes in parallel.
+  static double square(const WaveVector& k) {
+    double sum = 0.0;
+    for (const double component : k) sum += component * component;
+    return sum;
+  }
+
+  /// action(n, k) for all modes in parallel. As everywhere here, what is called in parallel must not throw.
   template <class Action>
   void for_each_mode(const Action& action) const {
     const int rows = grid_.row_count();
@@ -142,7 +148,6 @@ class ParticleSpectrum {
   // How many particles are about each point.
   void weigh() {
     if (weighed_) return;
-    weighed_ = true;
     mesh_.template spread<1>([](Index, double* one) { one[0] = 1.0; }, {weight_.data()});
     const double mean = static_cast<double>(mesh_.count()) / static_cast<double>(grid_.point_count());
     // Row by row, so that the sum is rounded in one way.
@@ -168,6 +173,7 @@ class ParticleSpectrum {
       throw Error(ExitCode::run_failed,
                   "a point of the mesh has hardly any particle about it: keep the shift on, take a coarser mesh "
                   "(mesh_spacing), or more particles");
+    weighed_ = true;
   }
 
   template <int Count, class Value>

@@ -26,6 +26,9 @@ struct Transport {
   bool carries_fields = false;
   /// Particles stay where they are, and every advanced field f changes by - velocity . grad f (Eulerian).
   bool fixed = false;
+  /// Of what drives the fluid, m/s2, where passes advance the velocity (Advance::by_passes): what the first step from
+  /// rest goes by; then the change of the velocity is known.
+  std::string drive = {};
 
   /// The velocity of particles relative to the fluid: + shift, - velocity, or none.
   [[nodiscard]] const std::string& relative() const { return fixed ? velocity : shift; }

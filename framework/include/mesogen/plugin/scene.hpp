@@ -20,8 +20,10 @@ namespace mesogen {
 struct Scales {
   double stress = 0.0;  ///< largest stress beside pressure and viscosity, Pa
   double speed = 0.0;   ///< expected or initial speed, m/s
-  /// Fields whose Laplacian, as a plugin makes it, takes any step: their diffusion limits none.
+  /// Fields whose Laplacian, as a plugin makes it, takes any step: their diffusion limits none. Of the order tensor, if
+  /// the nematic tells its diffusivity by the constants rotational_diffusivity and elastic_constant.
   std::set<std::string, std::less<>> laplacians_for_any_step;
+  bool friction_for_any_step = false;  ///< the flow takes the constant `friction` into account in steps of any length
 };
 
 /// Numbers that physics plugins publish for observers and for each other: "elastic_constant", "density", ...
