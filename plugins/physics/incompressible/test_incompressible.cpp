@@ -105,13 +105,13 @@ TEST(Incompressible, ModesOfTheVelocityHaveNoDivergence) {
   momentum.advance_to(0.1);
   double largest = 0.0;
   double divergence = 0.0;
-  spectrum.for_each_mode([&](std::size_t n, const auto& k) {
+  spectrum.for_each_mode([&](std::size_t n, const auto& wave) {
     const auto u = momentum.velocity(0)[n];
     const auto v = momentum.velocity(1)[n];
 #pragma omp critical
     {
-      divergence = std::max(divergence, std::abs(k[0] * u + k[1] * v));
-      largest = std::max(largest, std::abs(u) * std::hypot(k[0], k[1]));
+      divergence = std::max(divergence, std::abs(wave[0] * u + wave[1] * v));
+      largest = std::max(largest, std::abs(u) * std::hypot(wave[0], wave[1]));
     }
   });
   EXPECT_GT(largest, 1.0);
