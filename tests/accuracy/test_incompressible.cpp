@@ -128,21 +128,27 @@ TEST(IncompressibleSameBits, FromASavedAndRestoredRun) {
   }
 }
 
+template <class Action>
+void expect_error(ExitCode code, const char* text, const Action& action) {
+  try {
+    action();
+    FAIL() << "no error";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), code);
+    EXPECT_STREQ(error.what(), text);
+  }
+}
+
 TEST(IncompressibleSameBits, ACheckpointWithoutTheFlowIsRefused) {
   CaseRun run(lively("periodic_wrap"));
   Checkpoint checkpoint;
   run.stepper().save(checkpoint);
   checkpoint.numbers.erase("physics.flow keeps newer force");
   CaseRun other = CaseRun::unstarted(lively("periodic_wrap"));
-  try {
-    other.stepper().restore(checkpoint);
-    FAIL() << "restored";
-  } catch (const Error& error) {
-    EXPECT_EQ(error.code(), ExitCode::bad_case);
-    // 16 x 16 points: 16 x 9 modes of two components, two numbers each.
-    EXPECT_STREQ(error.what(),
-                 "the checkpoint has no 'physics.flow keeps newer force' for 576 numbers: it belongs to another case");
-  }
+  // 16 x 16 points: 16 x 9 modes of two components, two numbers each.
+  expect_error(ExitCode::bad_case,
+               "the checkpoint has no 'physics.flow keeps newer force' for 576 numbers: it belongs to another case",
+               [&] { other.stepper().restore(checkpoint); });
 }
 
 TEST(IncompressibleSameBits, NumbersThatAPluginKeepsAreAsManyAsItTold) {
@@ -150,14 +156,9 @@ TEST(IncompressibleSameBits, NumbersThatAPluginKeepsAreAsManyAsItTold) {
   std::vector<double> two(2);
   run.setup().physics.front().passes.keep("more", 3, [&] { return std::span<double>(two); });
   Checkpoint checkpoint;
-  try {
-    run.stepper().save(checkpoint);
-    FAIL() << "saved";
-  } catch (const Error& error) {
-    EXPECT_EQ(error.code(), ExitCode::plugin_refused);
-    EXPECT_STREQ(error.what(),
-                 "physics.flow keeps 'more' as 2 numbers, where it told of 3: name the number that there are");
-  }
+  expect_error(ExitCode::plugin_refused,
+               "physics.flow keeps 'more' as 2 numbers, where it told of 3: name the number that there are",
+               [&] { run.stepper().save(checkpoint); });
 }
 
 // From rest nothing moves at first; the steps must follow what drives the fluid all the same.

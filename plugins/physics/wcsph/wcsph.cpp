@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <string>
 
@@ -13,6 +12,7 @@
 #include "mesogen/plugin/physics.hpp"
 #include "mesogen/plugin/plugin.hpp"
 #include "passes.hpp"
+#include "without_sound.hpp"
 
 namespace {
 
@@ -154,39 +154,20 @@ class Wcsph final : public Physics {
   }
 
   void step_limits(const Scene& scene, StepLimits& limits) const override {
-    const double h = scene.smoothing_length;
-    limits.add("sound: 0.25 h / c0", 0.25 * h / c0_);
+    limits.add("sound: 0.25 h / c0", sound_step(scene));
     limits.add("viscosity: stable diffusion by mu / rho", viscous_step(scene));
   }
 
-  // Where sound and viscosity keep steps short that motion and the rest of the physics would not.
+  // With keys of its own the case asks for this plugin.
   void suggest(const Scene& scene, const StepLimits& limits, std::vector<Suggestion>& list) const override {
-    // With keys of its own the case asks for this plugin.
-    const bool as_it_comes = viscosity_form_ == "component" && density_variation_ == 0.01 &&
-                             pressure_form_ == "corrected" && diffusion_ == 0.0 && filter_ == 0.0 && !feedback_ &&
-                             shift_ == 0.3 && shift_speed_ == "strain" && !shift_carries_fields_ &&
-                             motion_ == "lagrangian";
-    for (int d = 0; d < Dim; ++d)
-      if (!scene.periodic[static_cast<std::size_t>(d)] || !as_it_comes) return;
-    double others = std::numeric_limits<double>::infinity();
-    double own = others;
-    for (const auto& limit : limits.all()) {
-      const bool of_flow = limit.name.starts_with("sound") || limit.name.starts_with("viscosity");
-      // The mesh's Laplacian bears any step.
-      if (!limit.name.starts_with("elasticity"))
-        (of_flow ? own : others) = std::min(of_flow ? own : others, limit.seconds);
-    }
-    if (scene.scales.speed > 0.0) others = std::min(others, 0.2 * scene.spacing / scene.scales.speed);
-    if (!(others > 4.0 * own)) return;
-    list.push_back(
-        {"no_sound",
-         "sound or viscosity bind the step, and this box is periodic: an incompressible flow needs neither",
-         {"type=incompressible"},
-         "far fewer steps, and a flow solved to the accuracy of Fourier series; lost: sound, compression and "
-         "the density's equation, walls"});
+    if (viscosity_form_ == "component" && density_variation_ == 0.01 && pressure_form_ == "corrected" &&
+        diffusion_ == 0.0 && filter_ == 0.0 && !feedback_ && shift_ == 0.3 && shift_speed_ == "strain" &&
+        !shift_carries_fields_ && motion_ == "lagrangian")
+      wcsph::suggest_no_sound(scene, limits, std::min(sound_step(scene), viscous_step(scene)), list);
   }
 
  private:
+  [[nodiscard]] double sound_step(const Scene& scene) const { return 0.25 * scene.smoothing_length / c0_; }
   // The radial form takes up to 3.3 times as much from the shortest waves as the Laplacian of the components.
   [[nodiscard]] double viscous_step(const Scene& scene) const {
     return scene.diffusion_step * density_ / viscosity_ / (viscosity_form_ == "component" ? 1.0 : 4.0);
