@@ -78,6 +78,7 @@ PluginFacts plugin_facts(const PluginRegistry& registry, const LoadedPlugin& plu
   facts.build_tag = descriptor.build_tag;
   facts.file = plugin.file.string();
   facts.instruction_set = plugin.instruction_set;
+  facts.cuda = facts.kind == PluginKind::physics && registry.has_cuda(facts.name);
   switch (facts.kind) {
     case PluginKind::kernel: ask(facts, *registry.make_kernel(facts.name)); break;
     case PluginKind::boundary: ask(facts, *registry.make_boundary(facts.name)); break;

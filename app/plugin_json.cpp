@@ -73,6 +73,7 @@ Json info_json(const PluginFacts& plugin) {
               {"summary", plugin.summary},
               {"file", plugin.file},
               {"instruction_set", plugin.instruction_set},
+              {"cuda", plugin.cuda},
               {"abi", plugin.abi},
               {"build_tag", plugin.build_tag},
               {"parameters", keys_json(plugin)}};

@@ -9,9 +9,10 @@
 #   <name>.*         the GoogleTest cases of TEST, with mesogen/testing/plugin_harness.hpp at hand
 #
 #   VECTORISED  it has pair sums of its own: build it for the wider instruction sets too; the loader picks one
+#   HOST_ONLY   it has loops of its own that a device cannot run: no library for CUDA is built from it
 #   CONTRACT    arguments of `mesogen plugin check`, where the values that it chooses by itself will not do
 function(mesogen_add_plugin)
-  cmake_parse_arguments(PLUGIN "VECTORISED" "NAME;KIND" "SOURCES;TEST;CONTRACT" ${ARGN})
+  cmake_parse_arguments(PLUGIN "VECTORISED;HOST_ONLY" "NAME;KIND" "SOURCES;TEST;CONTRACT" ${ARGN})
   if(NOT PLUGIN_NAME OR NOT PLUGIN_SOURCES)
     message(FATAL_ERROR "mesogen_add_plugin: NAME and SOURCES are needed")
   endif()
@@ -48,10 +49,12 @@ function(mesogen_add_plugin)
   if(TARGET programs)
     add_dependencies(programs ${PLUGIN_NAME})
   endif()
-  if(MESOGEN_HAVE_CUDA AND PLUGIN_KIND STREQUAL physics)
-    mesogen_add_device_objects(${PLUGIN_NAME}_device ${PLUGIN_SOURCES})
-    target_include_directories(${PLUGIN_NAME}_device PRIVATE ${CMAKE_CURRENT_SOURCE_DIR})
-    target_link_libraries(${PLUGIN_NAME}_device PRIVATE Mesogen::mesogen)
+  if(MESOGEN_HAVE_CUDA AND PLUGIN_KIND STREQUAL physics AND NOT PLUGIN_HOST_ONLY)
+    mesogen_add_cuda_library(${PLUGIN_NAME}_cuda MODULE ${PLUGIN_SOURCES})
+    set_target_properties(${PLUGIN_NAME}_cuda PROPERTIES PREFIX "" OUTPUT_NAME ${PLUGIN_NAME}
+                          LIBRARY_OUTPUT_DIRECTORY ${MESOGEN_PLUGIN_OUTPUT}/cuda)
+    add_dependencies(${PLUGIN_NAME} ${PLUGIN_NAME}_cuda)
+    install(TARGETS ${PLUGIN_NAME}_cuda LIBRARY DESTINATION ${MESOGEN_PLUGIN_FOLDER}/cuda)
   endif()
   if(CMAKE_TESTING_ENABLED)
     mesogen_add_plugin_tests()

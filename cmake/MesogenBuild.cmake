@@ -66,9 +66,10 @@ if(MESOGEN_CUDA)
 endif()
 message(STATUS "Passes are compiled for CUDA: ${MESOGEN_HAVE_CUDA}")
 
-# mesogen_add_device_objects(NAME sources...): the same sources compiled by nvcc, as proof that every functor can run on
-# a device. Each is included by a .cu file: a source's language holds for all targets of its folder.
-function(mesogen_add_device_objects name)
+# mesogen_add_cuda_library(NAME KIND sources...): C++ sources compiled by nvcc into a library (SHARED or MODULE) whose
+# passes run on a device. Each is included by a .cu file: a source's language holds for all targets of its folder. No
+# relocatable device code: every library launches its own kernels, and all share one CUDA runtime.
+function(mesogen_add_cuda_library name kind)
   set(device_sources)
   foreach(source IN LISTS ARGN)
     cmake_path(ABSOLUTE_PATH source BASE_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR} OUTPUT_VARIABLE path)
@@ -77,5 +78,13 @@ function(mesogen_add_device_objects name)
     file(CONFIGURE OUTPUT ${device_source} CONTENT "#include \"${path}\"\n" @ONLY)
     list(APPEND device_sources ${device_source})
   endforeach()
-  add_library(${name} OBJECT ${device_sources})
+  add_library(${name} ${kind} ${device_sources})
+  set_target_properties(${name} PROPERTIES CUDA_RUNTIME_LIBRARY Shared CUDA_VISIBILITY_PRESET hidden
+                        CUDA_SEPARABLE_COMPILATION OFF INSTALL_RPATH_USE_LINK_PATH ON)
+  target_include_directories(${name} PRIVATE ${CMAKE_CURRENT_SOURCE_DIR})
+  # std::array on a device; loops on the host as in the other libraries.
+  target_compile_options(${name} PRIVATE $<$<COMPILE_LANGUAGE:CUDA>:--expt-relaxed-constexpr -Xcompiler=-fopenmp>)
+  # Its own copy of what libmesogen_sph and libmesogen hold as well is the one that it must call.
+  target_link_options(${name} PRIVATE -Wl,-Bsymbolic)
+  target_link_libraries(${name} PRIVATE Mesogen::mesogen OpenMP::OpenMP_CXX)
 endfunction()

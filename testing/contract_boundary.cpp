@@ -78,7 +78,7 @@ std::string faces_problem(PluginHarness& harness, const Scene& scene) {
     for (std::size_t id = 0; id < gradient.size(); ++id)
       if (!(std::abs(gradient[id]) * scene.spacing < 1e-6))
         return fmt::format(
-            "a field that is 1 everywhere has the gradient {:.4g} 1/m {}: refresh or extend gives "
+            "a field that is 1 everywhere has the gradient {:.4g} 1/m {}: carry_over or extend gives "
             "something else beyond the faces",
             gradient[id], where(id));
   }

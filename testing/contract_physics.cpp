@@ -4,6 +4,7 @@
 #include <set>
 
 #include "contract_run.hpp"
+#include "exec/cuda_library.hpp"
 
 namespace mesogen::testing {
 
@@ -118,7 +119,21 @@ void check_physics(ContractRun& run) {
         difference(rates(Precision::double_precision), rates(Precision::single_precision), 1e-3);
     return problem.empty() ? "" : problem + " in single precision: a number is too large or too small for float";
   });
-  run.note("not checked: that CUDA agrees with the CPU, because passes run on the CPU only so far");
+  if (!run.registry().has_cuda(run.name()))
+    return run.note("not checked: that CUDA agrees with the CPU, because this plugin has no library for CUDA");
+  if (const CudaBackend cuda = cuda_backend(); cuda.backend == nullptr)
+    return run.note("not checked: that CUDA agrees with the CPU, because " + cuda.problem);
+  run.check("CUDA agrees with the CPU", [&]() -> std::string {
+    const auto on = [&](const std::string& device) {
+      TestScene scene = small_steps(run);
+      scene.device = device;
+      PluginHarness harness = run.harness(scene);
+      harness.step(2);
+      return numbers_of(harness);
+    };
+    const std::string problem = difference(on("cpu"), on("cuda"), 1e-9);
+    return problem.empty() ? "" : problem + " on CUDA: a functor does something else there";
+  });
 }
 
 }  // namespace mesogen::testing

@@ -61,6 +61,7 @@ void HarnessRun::seed(std::int64_t seed) {
 }
 
 void HarnessRun::fill(const std::string& name, const FieldValue& value) {
+  world().backend.finish();
   Field& field = world().fields.at(name);
   const auto x = WorldView(world()).position(0);
   const auto y = WorldView(world()).position(1);
@@ -111,7 +112,7 @@ std::map<std::string, std::vector<double>, std::less<>> HarnessRun::sample(std::
   const auto& member = setup_->observers.front();
   // Fields are up to date before particles are stored anew, so nothing is computed in the wrong order.
   stepper_.executor().prepare(member.fields);
-  std::vector<Index> order(world().particles.id.size());
+  exec::Array<Index> order(world().particles.id.size());
   std::iota(order.begin(), order.end(), 0);
   if (shuffled_by)
     for (std::size_t n = order.size(); n > 1; --n)
@@ -119,7 +120,7 @@ std::map<std::string, std::vector<double>, std::less<>> HarnessRun::sample(std::
                 order[static_cast<std::size_t>(exec::random_bits(*shuffled_by, static_cast<int>(n), 0) % n)]);
   permute(order);
   const auto values = observation_.sample(0).values();
-  std::vector<Index> back(order.size());
+  exec::Array<Index> back(order.size());
   for (std::size_t n = 0; n < order.size(); ++n) back[static_cast<std::size_t>(order[n])] = static_cast<Index>(n);
   permute(back);
 
@@ -142,7 +143,7 @@ std::map<std::string, std::vector<double>, std::less<>> HarnessRun::sample(std::
   return values;
 }
 
-void HarnessRun::permute(const std::vector<Index>& order) {
+void HarnessRun::permute(const exec::Array<Index>& order) {
   const auto reorder = [&](auto& values) {
     auto moved = values;
     for (std::size_t n = 0; n < order.size(); ++n) moved[n] = values[static_cast<std::size_t>(order[n])];

@@ -26,8 +26,8 @@ std::string scene_text(PluginKind kind, std::string_view name, std::string_view 
   if (kind == PluginKind::observer) text += section(fmt::format("observers.{}", tested_instance), name, keys);
   text += "[time]\nend = 1e6\n";
   if (scene.step > 0.0) text += fmt::format("step = {:.17g}\n", scene.step);
-  text +=
-      fmt::format("[run]\nprecision = \"{}\"\n", scene.precision == Precision::single_precision ? "single" : "double");
+  text += fmt::format("[run]\nprecision = \"{}\"\ndevice = \"{}\"\n",
+                      scene.precision == Precision::single_precision ? "single" : "double", scene.device);
   return text + scene.more + "\n";
 }
 

@@ -77,11 +77,6 @@ class Checker {
         return refuse("output.fields", "names \"" + fields[n] + "\" twice");
   }
 
-  void device() {
-    if (case_.run.device == "cuda")
-      refuse("run.device", R"(must be "cpu", but is "cuda": running on CUDA devices is not built so far)");
-  }
-
  private:
   void refuse(const std::string& key, const std::string& text) { problems_.add(case_.place(key), key, text); }
 
@@ -98,7 +93,6 @@ void check_case(const Case& source, Problems& problems) {
   checker.modes("velocity.modes", source.velocity.modes);
   checker.defects();
   checker.output_fields();
-  checker.device();
 }
 
 }  // namespace mesogen

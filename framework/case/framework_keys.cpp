@@ -161,7 +161,12 @@ ParameterList output(Case::Output& output) {
 ParameterList run(Case::Run& run, std::string& precision) {
   ParameterList list;
   list.text("precision", precision).doc("arithmetic of the pair sums").choices({"single", "double"});
-  list.text("device", run.device).doc("where it runs").choices({"cpu", "cuda"});
+  list.text("device", run.device)
+      .doc(
+          "where it computes: the first CUDA device, or with \"auto\" there if there is one and all physics plugins "
+          "have "
+          "code for it")
+      .choices({"cpu", "cuda", "auto"});
   return list;
 }
 

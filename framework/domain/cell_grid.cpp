@@ -29,24 +29,6 @@ CellGrid::CellGrid(const Scene& scene, const Boundary& boundary, double range)
   }
 }
 
-int CellGrid::along(int axis, double position) const { return static_cast<int>(std::floor(position / width_[axis])); }
-
-int CellGrid::number_of(const std::array<double, 3>& position) const {
-  int number = 0;
-  for (int d = dimension_ - 1; d >= 0; --d)
-    number = number * cells_[d] + std::clamp(along(d, position[d]), 0, cells_[d] - 1);
-  return number;
-}
-
-CellGrid::Cell CellGrid::inside(int number) const {
-  Cell cell{};
-  for (int d = 0; d < dimension_; ++d) {
-    cell[d] = number % cells_[d];
-    number /= cells_[d];
-  }
-  return cell;
-}
-
 CellGrid::Cell CellGrid::of_copy(const std::array<double, 3>& source, const std::array<double, 3>& offset) const {
   Cell cell{};
   for (int d = 0; d < dimension_; ++d) {
@@ -84,29 +66,10 @@ CellGrid::Cell CellGrid::nearest_inside(const std::array<double, 3>& position) c
   return cell;
 }
 
-int CellGrid::padded_index(const Cell& cell) const {
-  int index = 0;
-  for (int d = dimension_ - 1; d >= 0; --d) index = index * (cells_[d] + 2 * padding_[d]) + cell[d] + padding_[d];
-  return index;
-}
-
-int CellGrid::inside_count() const {
-  int count = 1;
-  for (int d = 0; d < dimension_; ++d) count *= cells_[d];
-  return count;
-}
-
 int CellGrid::padded_count() const {
   int count = 1;
   for (int d = 0; d < dimension_; ++d) count *= cells_[d] + 2 * padding_[d];
   return count;
-}
-
-double CellGrid::tile_origin(int axis, int cell) const {
-  if (axis > 0) return cell * width_[axis];
-  if (cell < 0) return -padding_[0] * width_[0];
-  if (cell >= cells_[0]) return cells_[0] * width_[0];
-  return cell / cells_in_tile * cells_in_tile * width_[0];
 }
 
 }  // namespace mesogen

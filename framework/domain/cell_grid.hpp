@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 
 #include "mesogen/export.hpp"
 #include "mesogen/plugin/boundary.hpp"
@@ -9,7 +10,7 @@
 namespace mesogen {
 
 /// The cells of a box: narrow along x, half as high as the search range across it, with padding beyond faces that do
-/// not wrap. See Neighbours for what they are good for.
+/// not wrap. See Neighbours for what they are good for. Trivially copyable: loops on a device take it along.
 class MESOGEN_EXPORT CellGrid {
  public:
   /// `range`: how far a neighbour may be when it is looked for, m.
@@ -20,11 +21,28 @@ class MESOGEN_EXPORT CellGrid {
   using Cell = std::array<int, 3>;
 
   /// Cell along one axis, not bounded by the box.
-  [[nodiscard]] int along(int axis, double position) const;
+  [[nodiscard]] MESOGEN_HOST_DEVICE int along(int axis, double position) const {
+    return static_cast<int>(::floor(position / width_[axis]));
+  }
   /// Number of the cell inside the box that holds a position in it.
-  [[nodiscard]] int number_of(const std::array<double, 3>& position) const;
+  [[nodiscard]] MESOGEN_HOST_DEVICE int number_of(const double* position) const {
+    int number = 0;
+    for (int d = dimension_ - 1; d >= 0; --d) {
+      const int at = along(d, position[d]);
+      const int last = cells_[d] - 1;
+      number = number * cells_[d] + (at < 0 ? 0 : at > last ? last : at);
+    }
+    return number;
+  }
   /// Coordinates of the n-th cell inside the box.
-  [[nodiscard]] Cell inside(int number) const;
+  [[nodiscard]] MESOGEN_HOST_DEVICE Cell inside(int number) const {
+    Cell cell{};
+    for (int d = 0; d < dimension_; ++d) {
+      cell[d] = number % cells_[d];
+      number /= cells_[d];
+    }
+    return cell;
+  }
   /// Cell in the padding (or beside it, inside, along axes without offset) of a copy of a particle.
   [[nodiscard]] Cell of_copy(const std::array<double, 3>& source, const std::array<double, 3>& offset) const;
   /// Cell in the padding of a dummy. Throws Error(plugin_refused) if it lies beyond no face but those where the box
@@ -33,13 +51,26 @@ class MESOGEN_EXPORT CellGrid {
   /// Cell inside the box nearest to a position.
   [[nodiscard]] Cell nearest_inside(const std::array<double, 3>& position) const;
   /// Index of a cell among all, the padding included.
-  [[nodiscard]] int padded_index(const Cell& cell) const;
-  [[nodiscard]] int inside_count() const;
+  [[nodiscard]] MESOGEN_HOST_DEVICE int padded_index(const Cell& cell) const {
+    int index = 0;
+    for (int d = dimension_ - 1; d >= 0; --d) index = index * (cells_[d] + 2 * padding_[d]) + cell[d] + padding_[d];
+    return index;
+  }
+  [[nodiscard]] MESOGEN_HOST_DEVICE int inside_count() const {
+    int count = 1;
+    for (int d = 0; d < dimension_; ++d) count *= cells_[d];
+    return count;
+  }
   [[nodiscard]] int padded_count() const;
   /// Where the tile of a cell begins along an axis, m.
-  [[nodiscard]] double tile_origin(int axis, int cell) const;
+  [[nodiscard]] MESOGEN_HOST_DEVICE double tile_origin(int axis, int cell) const {
+    if (axis > 0) return cell * width_[axis];
+    if (cell < 0) return -padding_[0] * width_[0];
+    if (cell >= cells_[0]) return cells_[0] * width_[0];
+    return cell / cells_in_tile * cells_in_tile * width_[0];
+  }
 
-  [[nodiscard]] int dimension() const { return dimension_; }
+  [[nodiscard]] MESOGEN_HOST_DEVICE int dimension() const { return dimension_; }
   [[nodiscard]] int cells(int axis) const { return cells_[axis]; }
   [[nodiscard]] int padding(int axis) const { return padding_[axis]; }
   [[nodiscard]] int reach(int axis) const { return reach_[axis]; }

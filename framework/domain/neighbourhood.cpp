@@ -14,13 +14,36 @@ namespace {
 
 constexpr std::size_t pack_tail = 16;
 
+template <class T>
+std::array<exec::Array<T>, 3> three(exec::Memory& memory) {
+  return {exec::Array<T>(memory), exec::Array<T>(memory), exec::Array<T>(memory)};
+}
+
+template <class T>
+std::array<const T*, 3> places(const std::array<exec::Array<T>, 3>& arrays) {
+  return {arrays[0].data(), arrays[1].data(), arrays[2].data()};
+}
+
 }  // namespace
 
-Neighbourhood::Neighbourhood(const Scene& scene, const Boundary& boundary)
+Neighbourhood::Neighbourhood(const Scene& scene, const Boundary& boundary, const Backend& backend)
     : scene_(scene),
       boundary_(boundary),
+      backend_(backend),
       skin_(skin_in_spacings * scene.spacing),
-      grid_(scene, boundary, scene.support + skin_) {
+      grid_(scene, boundary, scene.support + skin_),
+      sorted_position_(three<double>(backend.memory())),
+      order_(backend.memory()),
+      cell_of_(backend.memory()),
+      cell_begin_(backend.memory()),
+      cell_end_(backend.memory()),
+      blocks_wanted_(backend.device().empty()),
+      copy_source_(backend.memory()),
+      copy_offset_(three<double>(backend.memory())),
+      outside_origin_(three<double>(backend.memory())),
+      local_single_(three<float>(backend.memory())),
+      local_double_(three<double>(backend.memory())),
+      scratch_(backend.memory()) {
   boundary.dummies(scene, scene.support + skin_, dummies_);
 }
 
@@ -30,7 +53,7 @@ std::array<double, 3> Neighbourhood::sorted_at(Index i) const {
   return at;
 }
 
-const std::vector<Index>* Neighbourhood::update(Particles& particles) {
+const exec::Array<Index>* Neighbourhood::update(Particles& particles) {
   ++version_;
   if (!cell_of_.empty() && place(particles.position)) {
     if (blocks_found_) return nullptr;
@@ -43,7 +66,7 @@ const std::vector<Index>* Neighbourhood::update(Particles& particles) {
   return &order_;
 }
 
-const std::vector<Index>& Neighbourhood::reorder(Particles& particles) {
+const exec::Array<Index>& Neighbourhood::reorder(Particles& particles) {
   ++version_;
   order(particles);
   return order_;
@@ -56,9 +79,10 @@ void Neighbourhood::order(Particles& particles) {
   blocks_found_ = false;
 }
 
-void Neighbourhood::restore(const Particles& particles, std::array<std::vector<double>, 3> sorted_position) {
+void Neighbourhood::restore(const Particles& particles, const std::array<std::vector<double>, 3>& sorted_position) {
   ++version_;
-  sorted_position_ = std::move(sorted_position);
+  for (int d = 0; d < scene_.dimension; ++d)
+    sorted_position_[d].assign(sorted_position[d].begin(), sorted_position[d].end());
   find_cells();
   make_outside();
   find_blocks();
@@ -69,6 +93,8 @@ void Neighbourhood::restore(const Particles& particles, std::array<std::vector<d
 void Neighbourhood::find_blocks() {
   blocks_found_ = true;
   (void)place(sorted_position_);
+  if (!blocks_wanted_) return;
+  backend_.finish();
   const bool single = scene_.precision == Precision::single_precision;
   if (scene_.dimension == 2) {
     single ? find_blocks_of<float, 2>() : find_blocks_of<double, 2>();
@@ -99,46 +125,49 @@ void Neighbourhood::keep_inside(Particles& particles, Index i) const {
   }
 }
 
-// Storage goes by cell, and by id within a cell: the order of sums depends on positions alone.
-void Neighbourhood::sort_particles(Particles& particles) {
-  const Index count = particles.count();
-  const int dimension = scene_.dimension;
+// On a device only those that have left the box are looked at from the host.
+void Neighbourhood::keep_inside(Particles& particles) {
+  Index count = particles.count();
+  const bool all = backend_.device().empty();
+  if (!all) {
+    order_.resize(particles.id.size());
+    count = backend_.cells().find_outside(places(particles.position).data(), scene_.box.data(), scene_.dimension, count,
+                                          order_.data());
+    backend_.finish();
+  }
   exec::FirstFailure failure;
 #pragma omp parallel for schedule(static)
-  for (Index i = 0; i < count; ++i) {
+  for (Index n = 0; n < count; ++n) {
     try {
-      keep_inside(particles, i);
+      keep_inside(particles, all ? n : order_[static_cast<std::size_t>(n)]);
     } catch (...) {
       failure.keep();
     }
   }
   failure.rethrow();
-  for (int d = 0; d < dimension; ++d) sorted_position_[d] = particles.position[d];
-  find_cells();
-  const int cells = grid_.inside_count();
-  std::vector<Index> start(static_cast<std::size_t>(cells) + 1, 0);
-  for (const Index cell : cell_of_) ++start[static_cast<std::size_t>(cell) + 1];
-  std::partial_sum(start.begin(), start.end(), start.begin());
-  order_.resize(static_cast<std::size_t>(count));
-  std::vector<Index> next(start.begin(), start.end() - 1);
-  for (Index i = 0; i < count; ++i) order_[next[cell_of_[i]]++] = i;
-  const auto& id = particles.id;
-#pragma omp parallel for schedule(static)
-  for (int cell = 0; cell < cells; ++cell)
-    std::sort(order_.begin() + start[cell], order_.begin() + start[cell + 1],
-              [&](Index a, Index b) { return id[a] < id[b]; });
+}
 
-  const auto permute = [&](auto& values) {
-    auto moved = values;
-#pragma omp parallel for schedule(static)
-    for (Index n = 0; n < count; ++n) moved[n] = values[order_[n]];
-    values.swap(moved);
+// Storage goes by cell, and by id within a cell: the order of sums depends on positions alone.
+void Neighbourhood::sort_particles(Particles& particles) {
+  const Index count = particles.count();
+  keep_inside(particles);
+  const exec::CellLoops& loops = backend_.cells();
+  for (int d = 0; d < scene_.dimension; ++d) {
+    sorted_position_[d].resize(particles.id.size());
+    loops.copy(particles.position[d].data(), sorted_position_[d].data(), count);
+  }
+  find_cells();
+  order_.resize(particles.id.size());
+  loops.order(cell_of_.data(), particles.id.data(), count, grid_.inside_count(), order_.data());
+  const auto permute = [&](auto& values, auto& scratch) {
+    scratch.resize(values.size());
+    loops.permute(values.data(), order_.data(), count, scratch.data());
   };
-  permute(particles.id);
-  for (int d = 0; d < dimension; ++d) {
-    permute(particles.position[d]);
-    permute(particles.images[d]);
-    permute(sorted_position_[d]);
+  permute(particles.id, scratch_.id);
+  for (int d = 0; d < scene_.dimension; ++d) {
+    permute(particles.position[d], scratch_.position);
+    permute(particles.images[d], scratch_.images);
+    permute(sorted_position_[d], scratch_.position);
   }
   ++sortings_;
 }
@@ -146,16 +175,15 @@ void Neighbourhood::sort_particles(Particles& particles) {
 void Neighbourhood::find_cells() {
   const auto count = static_cast<Index>(sorted_position_[0].size());
   cell_of_.resize(static_cast<std::size_t>(count));
-#pragma omp parallel for schedule(static)
-  for (Index i = 0; i < count; ++i) cell_of_[i] = grid_.number_of(sorted_at(i));
+  backend_.cells().find_cells(grid_, places(sorted_position_).data(), count, cell_of_.data());
 }
 
 // What lies beyond the faces is stored behind the particles, by cell like them; its cells lie in the padding.
 void Neighbourhood::make_outside() {
   const auto count = static_cast<Index>(sorted_position_[0].size());
-  const double* position[3] = {sorted_position_[0].data(), sorted_position_[1].data(), sorted_position_[2].data()};
   Copies made;
-  boundary_.copies(scene_, position, count, scene_.support + skin_, made);
+  backend_.finish();
+  boundary_.copies(scene_, places(sorted_position_).data(), count, scene_.support + skin_, made);
   if (!made.source.empty() && !dummies_.position.empty())
     throw Error(
         ExitCode::plugin_refused,
@@ -179,14 +207,18 @@ void Neighbourhood::make_outside() {
     dummies_.mirror = permuted(dummies_.mirror);
   }
 
+  copy_source_.assign(copies_.source.begin(), copies_.source.end());
   const std::size_t stored = static_cast<std::size_t>(count) + cell.size() + pack_tail;
   for (int d = 0; d < scene_.dimension; ++d) {
+    copy_offset_[d].clear();
+    for (const auto& offset : copies_.offset) copy_offset_[d].push_back(offset[d]);
     outside_origin_[d].resize(cell.size());
     for (std::size_t n = 0; n < cell.size(); ++n)
       outside_origin_[d][n] = grid_.tile_origin(d, cell[static_cast<std::size_t>(order[n])][d]);
     const auto place_dummies = [&](auto& local) {
       using Real = typename std::decay_t<decltype(local)>::value_type;
-      local.assign(stored, Real(0));
+      local.resize(stored);
+      std::fill(local.begin() + count, local.end(), Real(0));
       for (std::size_t n = 0; n < dummies_.position.size(); ++n)
         local[static_cast<std::size_t>(count) + n] = Real(dummies_.position[n][d] - outside_origin_[d][n]);
     };
@@ -221,51 +253,31 @@ void Neighbourhood::fill_cell_tables(const std::vector<Index>& outside_begin) {
     cell_begin_[c] = count + outside_begin[c];
     cell_end_[c] = count + outside_begin[c + 1];
   }
-  Index i = 0;
-  for (int c = 0; c < grid_.inside_count(); ++c) {
-    const int index = grid_.padded_index(grid_.inside(c));
-    cell_begin_[index] = i;
-    while (i < count && cell_of_[i] == c) ++i;
-    cell_end_[index] = i;
-  }
+  backend_.cells().find_ranges(grid_, cell_of_.data(), count, cell_begin_.data(), cell_end_.data());
 }
 
 // Coordinates relative to tiles; false if a particle has left the skin.
 template <class Real>
-bool Neighbourhood::place(const std::array<std::vector<double>, 3>& position,
-                          std::array<std::vector<Real>, 3>& local) const {
-  const auto count = static_cast<Index>(position[0].size());
-  const int cells = grid_.inside_count();
-  const double most = skin_ * skin_ / 4.0;
-  int left = 0;
-#pragma omp parallel for schedule(static) reduction(| : left)
-  for (int c = 0; c < cells; ++c) {
-    const CellGrid::Cell cell = grid_.inside(c);
-    const int index = grid_.padded_index(cell);
-    std::array<double, 3> origin{};
-    for (int d = 0; d < scene_.dimension; ++d) origin[d] = grid_.tile_origin(d, cell[d]);
-    for (Index i = cell_begin_[index]; i < cell_end_[index]; ++i) {
-      double moved = 0.0;
-      for (int d = 0; d < scene_.dimension; ++d) {
-        const double at = position[d][i];
-        const double by = at - sorted_position_[d][i];
-        moved += by * by;
-        local[d][i] = Real(at - origin[d]);
-      }
-      // Written so that NaN counts as having left; the guard after the step names it.
-      if (!(moved <= most)) left = 1;
-    }
+bool Neighbourhood::place(const std::array<exec::Array<double>, 3>& position,
+                          std::array<exec::Array<Real>, 3>& local) const {
+  exec::Placing<Real> placing{};
+  for (int d = 0; d < scene_.dimension; ++d) {
+    placing.position[d] = position[d].data();
+    placing.sorted[d] = sorted_position_[d].data();
+    placing.local[d] = local[d].data();
+    placing.offset[d] = copy_offset_[d].data();
+    placing.origin[d] = outside_origin_[d].data();
   }
-  if (left != 0) return false;
-  const auto copies = static_cast<Index>(copies_.source.size());
-#pragma omp parallel for schedule(static)
-  for (Index n = 0; n < copies; ++n)
-    for (int d = 0; d < scene_.dimension; ++d)
-      local[d][count + n] = Real(position[d][copies_.source[n]] + copies_.offset[n][d] - outside_origin_[d][n]);
-  return true;
+  placing.cell_begin = cell_begin_.data();
+  placing.cell_end = cell_end_.data();
+  placing.farthest_square = skin_ * skin_ / 4.0;
+  placing.particles = static_cast<Index>(position[0].size());
+  placing.copies = static_cast<Index>(copy_source_.size());
+  placing.source = copy_source_.data();
+  return backend_.loops<Real>().place(grid_, placing);
 }
 
-bool Neighbourhood::place(const std::array<std::vector<double>, 3>& position) {
+bool Neighbourhood::place(const std::array<exec::Array<double>, 3>& position) {
   return scene_.precision == Precision::single_precision ? place(position, local_single_)
                                                          : place(position, local_double_);
 }

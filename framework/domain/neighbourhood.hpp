@@ -7,6 +7,8 @@
 #include "domain/cell_grid.hpp"
 #include "domain/neighbour_blocks.hpp"
 #include "domain/particles.hpp"
+#include "exec/backend.hpp"
+#include "exec/memory.hpp"
 #include "mesogen/domain/neighbours.hpp"
 #include "mesogen/export.hpp"
 #include "mesogen/plugin/boundary.hpp"
@@ -21,25 +23,31 @@ namespace mesogen {
 /// coordinates at the last sorting; a checkpoint keeps them, so that a resumed run sums in the same order.
 class MESOGEN_EXPORT Neighbourhood {
  public:
-  Neighbourhood(const Scene& scene, const Boundary& boundary);
+  Neighbourhood(const Scene& scene, const Boundary& boundary, const Backend& backend = Backend::host());
 
   static constexpr double skin_in_spacings = 0.1;
 
   /// Particles moved. Returns the new order of storage if they had to be sorted anew (place n takes what stood at
   /// order[n]; particles themselves are already permuted), nullptr if not.
-  const std::vector<Index>* update(Particles& particles);
+  const exec::Array<Index>* update(Particles& particles);
 
   /// Sorts particles, and finds no neighbours: the next update() does. Returns the new order of storage.
-  const std::vector<Index>& reorder(Particles& particles);
+  const exec::Array<Index>& reorder(Particles& particles);
+
+  /// Do pair sums on the host look for neighbours? They go by blocks, which cost a search at each sorting; a device
+  /// goes by cells. Unless it is said: where the backend is the host.
+  void find_blocks_for_host(bool wanted) { blocks_wanted_ = wanted; }
 
   /// The next update() sorts, wherever particles are.
   void forget_order() { cell_of_.clear(); }
 
   /// Takes up where a run stopped: particles are in the order of storage and were sorted at these coordinates.
-  void restore(const Particles& particles, std::array<std::vector<double>, 3> sorted_position);
-  [[nodiscard]] const std::array<std::vector<double>, 3>& sorted_position() const { return sorted_position_; }
+  void restore(const Particles& particles, const std::array<std::vector<double>, 3>& sorted_position);
+  [[nodiscard]] const std::array<exec::Array<double>, 3>& sorted_position() const { return sorted_position_; }
 
   [[nodiscard]] const Copies& copies() const { return copies_; }
+  /// Their sources, where loops on a device find them.
+  [[nodiscard]] const exec::Array<Index>& copy_source() const { return copy_source_; }
   /// In the order of storage.
   [[nodiscard]] const Dummies& dummies() const { return dummies_; }
   /// Copies or dummies: stored behind the particles.
@@ -60,6 +68,7 @@ class MESOGEN_EXPORT Neighbourhood {
 
  private:
   void order(Particles& particles);
+  void keep_inside(Particles& particles);
   void keep_inside(Particles& particles, Index i) const;
   void sort_particles(Particles& particles);
   void find_cells();
@@ -68,30 +77,42 @@ class MESOGEN_EXPORT Neighbourhood {
   void fill_cell_tables(const std::vector<Index>& outside_begin);
   [[nodiscard]] std::array<double, 3> sorted_at(Index i) const;
   template <class Real>
-  [[nodiscard]] bool place(const std::array<std::vector<double>, 3>& position,
-                           std::array<std::vector<Real>, 3>& local) const;
-  [[nodiscard]] bool place(const std::array<std::vector<double>, 3>& position);
+  [[nodiscard]] bool place(const std::array<exec::Array<double>, 3>& position,
+                           std::array<exec::Array<Real>, 3>& local) const;
+  [[nodiscard]] bool place(const std::array<exec::Array<double>, 3>& position);
   void find_blocks();
   template <class Real, int Dim>
   void find_blocks_of();
 
   const Scene& scene_;
   const Boundary& boundary_;
+  const Backend& backend_;
   double skin_;
   CellGrid grid_;
 
-  std::array<std::vector<double>, 3> sorted_position_;
-  std::vector<Index> order_;
-  std::vector<Index> cell_of_;     // number, inside the box, of each particle's cell
-  std::vector<Index> cell_begin_;  // by padded cell
-  std::vector<Index> cell_end_;
+  std::array<exec::Array<double>, 3> sorted_position_;
+  exec::Array<Index> order_;
+  exec::Array<Index> cell_of_;     // number, inside the box, of each particle's cell
+  exec::Array<Index> cell_begin_;  // by padded cell
+  exec::Array<Index> cell_end_;
   NeighbourBlocks blocks_;
+  bool blocks_wanted_;
   bool blocks_found_ = false;
   Copies copies_;
   Dummies dummies_;
-  std::array<std::vector<double>, 3> outside_origin_;  // of the tile of each copy or dummy
-  std::array<std::vector<float>, 3> local_single_;
-  std::array<std::vector<double>, 3> local_double_;
+  exec::Array<Index> copy_source_;
+  std::array<exec::Array<double>, 3> copy_offset_;
+  std::array<exec::Array<double>, 3> outside_origin_;  // of the tile of each copy or dummy
+  std::array<exec::Array<float>, 3> local_single_;
+  std::array<exec::Array<double>, 3> local_double_;
+  /// Room for one array of each kind while particles change places.
+  struct Scratch {
+    explicit Scratch(exec::Memory& memory) : position(memory), images(memory), id(memory) {}
+    exec::Array<double> position;
+    exec::Array<std::int32_t> images;
+    exec::Array<std::int64_t> id;
+  };
+  Scratch scratch_;
   std::uint64_t version_ = 0;
   std::uint64_t sorted_version_ = 0;
   std::int64_t sortings_ = 0;

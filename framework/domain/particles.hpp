@@ -2,8 +2,8 @@
 
 #include <array>
 #include <cstdint>
-#include <vector>
 
+#include "exec/memory.hpp"
 #include "mesogen/export.hpp"
 #include "mesogen/field/view.hpp"
 
@@ -12,10 +12,15 @@ namespace mesogen {
 /// Where particles are and which they are, in storage order. Coordinates are doubles in any precision of the run: a
 /// step moves a particle by less than float resolves.
 struct MESOGEN_EXPORT Particles {
+  explicit Particles(exec::Memory& memory = exec::Memory::host())
+      : position{exec::Array<double>(memory), exec::Array<double>(memory), exec::Array<double>(memory)},
+        images{exec::Array<std::int32_t>(memory), exec::Array<std::int32_t>(memory), exec::Array<std::int32_t>(memory)},
+        id(memory) {}
+
   int dimension = 2;
-  std::array<std::vector<double>, 3> position;      ///< m
-  std::array<std::vector<std::int32_t>, 3> images;  ///< boxes crossed along each axis
-  std::vector<std::int64_t> id;
+  std::array<exec::Array<double>, 3> position;      ///< m
+  std::array<exec::Array<std::int32_t>, 3> images;  ///< boxes crossed along each axis
+  exec::Array<std::int64_t> id;
 
   [[nodiscard]] Index count() const { return static_cast<Index>(id.size()); }
 };

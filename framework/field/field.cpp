@@ -11,35 +11,28 @@ namespace {
 constexpr std::ptrdiff_t pack_tail = 16;
 
 template <class T>
-void restride(std::vector<T>& values, int components, std::ptrdiff_t from, std::ptrdiff_t to, Index keep) {
-  std::vector<T> larger(static_cast<std::size_t>(components * to + pack_tail), T(0));
+void restride(exec::Array<T>& values, int components, std::ptrdiff_t from, std::ptrdiff_t to, Index keep) {
+  exec::Array<T> larger(static_cast<std::size_t>(components * to + pack_tail), T(0), values.get_allocator());
   for (int c = 0; c < components && !values.empty(); ++c)
     std::copy_n(values.begin() + c * from, keep, larger.begin() + c * to);
   values.swap(larger);
 }
 
-template <class T>
-void permute_component(T* values, const std::vector<Index>& order, std::vector<T>& scratch) {
-  const auto count = static_cast<Index>(order.size());
-  scratch.resize(order.size());
-  T* const moved = scratch.data();
-#pragma omp parallel
-  {
-#pragma omp for schedule(static)
-    for (Index n = 0; n < count; ++n) moved[n] = values[order[static_cast<std::size_t>(n)]];
-#pragma omp for schedule(static)
-    for (Index n = 0; n < count; ++n) values[n] = moved[n];
-  }
-}
-
 }  // namespace
 
-Field::Field(std::string name, int components, Precision precision, bool integrated)
-    : name_(std::move(name)), components_(components), precision_(precision), integrated_(integrated) {}
+Field::Field(std::string name, int components, Precision precision, bool integrated, const Backend& backend)
+    : name_(std::move(name)),
+      components_(components),
+      precision_(precision),
+      integrated_(integrated),
+      backend_(backend),
+      single_(backend.memory()),
+      double_(backend.memory()) {}
 
 void Field::resize(Index particles, Index copies) {
   const std::ptrdiff_t needed = static_cast<std::ptrdiff_t>(particles) + copies;
   if (needed > stride_ || stride_ == 0) {
+    backend_.finish();
     const std::ptrdiff_t roomy = (needed + needed / 16 + 2 * pack_tail) / pack_tail * pack_tail;
     const Index keep = std::min(particles_, particles);
     if (!is_double()) restride(single_, components_, stride_, roomy, keep);
@@ -72,36 +65,28 @@ void Field::set(int component, Index particle, double value) {
 }
 
 void Field::fill_zero() {
-  const auto clear = [this](auto* values) {
-    for (int c = 0; c < components_; ++c) {
-      auto* const component = values + c * stride_;
-#pragma omp parallel for schedule(static)
-      for (Index i = 0; i < particles_; ++i) component[i] = 0;
-    }
-  };
   if (is_double()) {
-    clear(double_.data());
+    backend_.loops<double>().zero(view<double>(), components_, particles_);
   } else {
-    clear(single_.data());
+    backend_.loops<float>().zero(view<float>(), components_, particles_);
   }
 }
 
 void Field::copy_master(Field& of) {
-  const FieldView<double> from = of.master();
-  const FieldView<double> to = master();
-  for (int c = 0; c < components_; ++c) {
-    const double* const source = from.component(c);
-    double* const target = to.component(c);
-#pragma omp parallel for schedule(static)
-    for (Index i = 0; i < particles_; ++i) target[i] = source[i];
-  }
+  for (int c = 0; c < components_; ++c)
+    backend_.cells().copy(of.master().component(c), master().component(c), particles_);
 }
 
-void Field::permute(const std::vector<Index>& order, Scratch& scratch) {
-  for (int c = 0; c < components_; ++c) {
-    if (!single_.empty()) permute_component(single_.data() + c * stride_, order, scratch.single);
-    if (!double_.empty()) permute_component(double_.data() + c * stride_, order, scratch.exact);
-  }
+void Field::permute(const exec::Array<Index>& order, Scratch& scratch) {
+  const auto permuted = [&](auto& values, auto& room) {
+    if (values.empty()) return;
+    room.resize(order.size());
+    for (int c = 0; c < components_; ++c)
+      backend_.cells().permute(values.data() + c * stride_, order.data(), static_cast<Index>(order.size()),
+                               room.data());
+  };
+  permuted(single_, scratch.single);
+  permuted(double_, scratch.exact);
 }
 
 Field& FieldStore::add(std::unique_ptr<Field> field) {

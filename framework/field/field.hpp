@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "exec/backend.hpp"
+#include "exec/memory.hpp"
 #include "mesogen/export.hpp"
 #include "mesogen/field/rank.hpp"
 #include "mesogen/field/view.hpp"
@@ -18,7 +20,8 @@ namespace mesogen {
 /// changes it by less than float resolves (at the paper's parameters by 1e-7 of itself).
 class MESOGEN_EXPORT Field {
  public:
-  Field(std::string name, int components, Precision precision, bool integrated);
+  Field(std::string name, int components, Precision precision, bool integrated,
+        const Backend& backend = Backend::host());
 
   [[nodiscard]] const std::string& name() const { return name_; }
   [[nodiscard]] int components() const { return components_; }
@@ -41,12 +44,13 @@ class MESOGEN_EXPORT Field {
 
   /// Room that permuting a field takes; one for all of them.
   struct Scratch {
-    std::vector<double> exact;
-    std::vector<float> single;
+    explicit Scratch(exec::Memory& memory = exec::Memory::host()) : exact(memory), single(memory) {}
+    exec::Array<double> exact;
+    exec::Array<float> single;
   };
   /// New place of every particle: place n takes what stood at order[n]. No particle gets another value, so the version
   /// stays.
-  void permute(const std::vector<Index>& order, Scratch& scratch);
+  void permute(const exec::Array<Index>& order, Scratch& scratch);
 
   /// Every write raises the version; what lies beyond the faces is of version `refreshed`, and at a wall of the
   /// positions `refreshed_at`.
@@ -62,10 +66,11 @@ class MESOGEN_EXPORT Field {
   int components_;
   Precision precision_;
   bool integrated_;
+  const Backend& backend_;
   Index particles_ = 0;
   std::ptrdiff_t stride_ = 0;
-  std::vector<float> single_;
-  std::vector<double> double_;
+  exec::Array<float> single_;
+  exec::Array<double> double_;
 };
 
 /// All fields of a run, by name.

@@ -2,19 +2,6 @@
 
 namespace mesogen {
 
-namespace {
-
-template <class Real>
-void take_from_source(const Copies& copies, FieldView<Real> field, int components, Index count) {
-  const auto made = static_cast<Index>(copies.source.size());
-  const Index* source = copies.source.data();
-#pragma omp parallel for schedule(static)
-  for (Index copy = 0; copy < made; ++copy)
-    for (int c = 0; c < components; ++c) field(c, count + copy) = field(c, source[copy]);
-}
-
-}  // namespace
-
 Boundary::~Boundary() = default;
 
 void Boundary::parameters(ParameterList&) {}
@@ -30,13 +17,7 @@ void Boundary::copies(const Scene&, const double* const*, Index, double, Copies&
   out.offset.clear();
 }
 
-void Boundary::refresh(const Copies& copies, FieldView<float> field, int components, Index count) const {
-  take_from_source(copies, field, components, count);
-}
-
-void Boundary::refresh(const Copies& copies, FieldView<double> field, int components, Index count) const {
-  take_from_source(copies, field, components, count);
-}
+void Boundary::carry_over(const Scene&, std::string_view, int, const Copies&, std::vector<Extension>&) const {}
 
 void Boundary::dummies(const Scene&, double, Dummies& out) const {
   out.position.clear();

@@ -57,4 +57,11 @@ Variant best_variant(const std::filesystem::path& file, const std::vector<std::s
   return {file, std::string(baseline)};
 }
 
+std::filesystem::path cuda_variant(const std::filesystem::path& file, std::string_view instruction_set) {
+  const auto folder = instruction_set == baseline ? file.parent_path() : file.parent_path().parent_path();
+  auto wanted = folder / "cuda" / file.filename();
+  std::error_code ignored;
+  return std::filesystem::is_regular_file(wanted, ignored) ? wanted : std::filesystem::path();
+}
+
 }  // namespace mesogen::plugin

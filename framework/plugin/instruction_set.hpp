@@ -24,4 +24,7 @@ struct Variant {
 /// Which file to load for a plugin: the one of the same name in a sub-folder named like the best of `sets`, or itself.
 MESOGEN_EXPORT Variant best_variant(const std::filesystem::path& file, const std::vector<std::string>& sets);
 
+/// The library for CUDA of the plugin whose library for some instruction set this is; empty if there is none.
+MESOGEN_EXPORT std::filesystem::path cuda_variant(const std::filesystem::path& file, std::string_view instruction_set);
+
 }  // namespace mesogen::plugin

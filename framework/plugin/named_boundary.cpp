@@ -99,11 +99,12 @@ void NamedBoundary::copies(const Scene& scene, const double* const* position, In
     check(out, count);
   });
 }
-void NamedBoundary::refresh(const Copies& copies, FieldView<float> field, int components, Index count) const {
-  told(name_, "refresh()", ExitCode::run_failed, [&] { plugin_->refresh(copies, field, components, count); });
-}
-void NamedBoundary::refresh(const Copies& copies, FieldView<double> field, int components, Index count) const {
-  told(name_, "refresh()", ExitCode::run_failed, [&] { plugin_->refresh(copies, field, components, count); });
+void NamedBoundary::carry_over(const Scene& scene, std::string_view field, int components, const Copies& copies,
+                               std::vector<Extension>& extension) const {
+  told(name_, "carry_over()", ExitCode::run_failed, [&] {
+    plugin_->carry_over(scene, field, components, copies, extension);
+    check(field, extension, copies.source.size() * static_cast<std::size_t>(components));
+  });
 }
 void NamedBoundary::dummies(const Scene& scene, double reach, Dummies& out) const {
   told(name_, "dummies()", ExitCode::plugin_refused, [&] {

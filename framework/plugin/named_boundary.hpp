@@ -22,8 +22,8 @@ class NamedBoundary final : public Boundary {
   [[nodiscard]] bool wraps(int axis) const override;
   void keep_inside(const Scene& scene, double* position, std::int32_t* images) const override;
   void copies(const Scene& scene, const double* const* position, Index count, double reach, Copies& out) const override;
-  void refresh(const Copies& copies, FieldView<float> field, int components, Index count) const override;
-  void refresh(const Copies& copies, FieldView<double> field, int components, Index count) const override;
+  void carry_over(const Scene& scene, std::string_view field, int components, const Copies& copies,
+                  std::vector<Extension>& extension) const override;
   void dummies(const Scene& scene, double reach, Dummies& out) const override;
   void extend(const Scene& scene, std::string_view field, int components, const Dummies& dummies,
               std::vector<Extension>& extension) const override;

@@ -167,11 +167,15 @@ std::vector<std::string> PluginRegistry::paths() const {
 void* PluginRegistry::create(PluginKind kind, std::string_view name, Precision precision, int dimension) const {
   const auto* plugin = find(kind, name);
   if (plugin == nullptr) throw missing(kind, name);
-  void* object = call_plugin(name, "constructor", [&] { return plugin->descriptor->create(precision, dimension); });
+  return create(*plugin->descriptor, precision, dimension);
+}
+
+void* PluginRegistry::create(const PluginDescriptor& descriptor, Precision precision, int dimension) const {
+  void* object = call_plugin(descriptor.name, "constructor", [&] { return descriptor.create(precision, dimension); });
   if (object == nullptr)
-    throw Error(ExitCode::bad_case,
-                fmt::format("the {} plugin \"{}\" has no form for {} dimensions in {} precision", to_string(kind), name,
-                            dimension, precision == Precision::single_precision ? "single" : "double"));
+    throw Error(ExitCode::bad_case, fmt::format("the {} plugin \"{}\" has no form for {} dimensions in {} precision",
+                                                to_string(descriptor.kind), descriptor.name, dimension,
+                                                precision == Precision::single_precision ? "single" : "double"));
   return object;
 }
 
@@ -193,6 +197,28 @@ std::unique_ptr<Observer> PluginRegistry::make_observer(std::string_view name) c
 
 std::unique_ptr<Physics> PluginRegistry::make_physics(std::string_view name, Precision precision, int dimension) const {
   return std::unique_ptr<Physics>(static_cast<Physics*>(create(PluginKind::physics, name, precision, dimension)));
+}
+
+bool PluginRegistry::has_cuda(std::string_view physics) const {
+  const auto* const plugin = find(PluginKind::physics, physics);
+  return plugin != nullptr && !plugin::cuda_variant(plugin->file, plugin->instruction_set).empty();
+}
+
+std::unique_ptr<Physics> PluginRegistry::make_physics_for_cuda(std::string_view name, Precision precision,
+                                                               int dimension) const {
+  const auto* const plugin = find(PluginKind::physics, name);
+  if (plugin == nullptr) throw missing(PluginKind::physics, name);
+  const fs::path file = plugin::cuda_variant(plugin->file, plugin->instruction_set);
+  if (file.empty()) return nullptr;
+  const plugin::LoadResult loaded = plugin::load(file);
+  if (loaded.descriptor == nullptr)
+    throw Error(ExitCode::plugin_refused, fmt::format("the physics plugin \"{}\" for CUDA was refused: {}: {}", name,
+                                                      file.string(), loaded.problem));
+  if (loaded.descriptor->kind != PluginKind::physics || loaded.descriptor->name != name)
+    throw Error(ExitCode::plugin_refused,
+                fmt::format("{} should be the physics plugin \"{}\" for CUDA, and is the {} \"{}\": build it again",
+                            file.string(), name, to_string(loaded.descriptor->kind), loaded.descriptor->name));
+  return std::unique_ptr<Physics>(static_cast<Physics*>(create(*loaded.descriptor, precision, dimension)));
 }
 
 }  // namespace mesogen

@@ -66,6 +66,11 @@ class MESOGEN_EXPORT PluginRegistry {
   [[nodiscard]] std::unique_ptr<Boundary> make_boundary(std::string_view name) const;
   [[nodiscard]] std::unique_ptr<Observer> make_observer(std::string_view name) const;
   [[nodiscard]] std::unique_ptr<Physics> make_physics(std::string_view name, Precision precision, int dimension) const;
+  /// Has a physics plugin a library for CUDA?
+  [[nodiscard]] bool has_cuda(std::string_view physics) const;
+  /// The same from the plugin's library for CUDA, loaded when first asked for; null if it has none.
+  [[nodiscard]] std::unique_ptr<Physics> make_physics_for_cuda(std::string_view name, Precision precision,
+                                                               int dimension) const;
 
  private:
   [[nodiscard]] std::vector<std::string> paths() const;
@@ -73,6 +78,7 @@ class MESOGEN_EXPORT PluginRegistry {
   void add_file(const std::filesystem::path& file);
   void sort();
   void* create(PluginKind kind, std::string_view name, Precision precision, int dimension) const;
+  void* create(const PluginDescriptor& descriptor, Precision precision, int dimension) const;
 
   std::vector<std::filesystem::path> folders_;  // canonical, each searched once
   std::vector<LoadedPlugin> plugins_;

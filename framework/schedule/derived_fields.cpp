@@ -100,7 +100,10 @@ void DerivedFields::add_passes(const Wanted& wanted, bool correction, bool at_ea
       pass.counter.title += (pass.counter.title.empty() ? "" : ", ") + field;
     }
     pass.sources.assign(pass.components.size(), 0);
-    if (at_each_step && !form_.particles_move && !pass.components.empty()) pass.weights = std::make_unique<Weights>();
+    // A device computes a weight faster than it reads one.
+    const bool on_host = world_.backend.device().empty();
+    if (on_host && at_each_step && !form_.particles_move && !pass.components.empty())
+      pass.weights = std::make_unique<Weights>();
     pass.finding.title = "weights of " + pass.counter.title;
     passes_.push_back(std::move(pass));
   }
@@ -149,10 +152,10 @@ template <class Real, int Dim>
 void DerivedFields::run_pair_sums(PairPass& pass) {
   Neighbours<Real, Dim> neighbours{};
   world_.neighbourhood.fill(neighbours);
-  const exec::Space space;
+  const exec::Loops<Real>& loops = world_.backend.loops<Real>();
   const FieldView<Real> volume = world_.fields.at("volume").view<Real>();
   if (pass.volume) {
-    sph::volumes<Real, Dim>(space, neighbours, world_.kernel, volume);
+    loops.volumes(neighbours, world_.kernel, volume);
     return;
   }
   sph::Derivatives<Real, Dim> wanted{};
@@ -169,7 +172,7 @@ void DerivedFields::run_pair_sums(PairPass& pass) {
   wanted.consistent = form_.consistent_laplacian;
   const bool new_positions = pass.positions != world_.neighbourhood.version();
   if (pass.correction != nullptr && (new_positions || !pass.weights)) wanted.correction = pass.correction->view<Real>();
-  if (!pass.weights || wanted.correction) sph::derivatives<Real, Dim>(space, neighbours, world_.kernel, wanted);
+  if (!pass.weights || wanted.correction) loops.derivatives(neighbours, world_.kernel, wanted);
   if (!pass.weights) return;
   auto& weights = pass.weights->of<Real>();
   if (new_positions) {
@@ -178,7 +181,7 @@ void DerivedFields::run_pair_sums(PairPass& pass) {
     ++pass.finding.runs;
     pass.finding.seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   }
-  sph::derivatives<Real, Dim>(space, neighbours, weights, wanted);
+  sph::derivatives<Real, Dim>(exec::Space{}, neighbours, weights, wanted);
 }
 
 std::vector<DerivedFields::Counter> DerivedFields::counters() const {

@@ -24,7 +24,7 @@ class WorkContext final : public PassContext {
   [[nodiscard]] bool has(std::string_view field) const override { return world_.fields.find(field) != nullptr; }
   [[nodiscard]] const sph::SmoothingKernel& kernel() const override { return world_.kernel; }
   [[nodiscard]] const Scene& scene() const override { return world_.scene; }
-  [[nodiscard]] exec::Space space() const override { return {}; }
+  [[nodiscard]] exec::Space space() const override { return work_.on_device ? world_.backend.space() : exec::Space{}; }
   [[nodiscard]] Index count() const override { return world_.particles.count(); }
   [[nodiscard]] const double* position(int axis) const override { return world_.particles.position[axis].data(); }
   [[nodiscard]] std::uint64_t positions_version() const override { return world_.positions_version(); }
@@ -92,6 +92,11 @@ Executor::Executor(World& world, StepGraph& graph, DerivedFields& derived)
     : world_(world), graph_(graph), derived_(derived) {
   for (Work& work : graph_.works())
     if (work.pass.phase == Phase::observe) observed_.push_back({&work, 0, {}});
+  // Whose code runs on the host looks for neighbours there.
+  if (!world_.backend.device().empty())
+    world_.neighbourhood.find_blocks_for_host(std::any_of(
+        graph_.works().begin(), graph_.works().end(),
+        [](const Work& work) { return !work.on_device && !work.pass.neighbour_reads.empty() && !work.pruned(); }));
 }
 
 void Executor::run(Phase phase, const std::vector<bool>& reader_due) {
@@ -130,6 +135,7 @@ void Executor::run(Work& work) {
     prepare(field);
     world_.refresh_outside(world_.fields.at(field));
   }
+  if (!work.on_device) world_.backend.finish();
   const auto start = std::chrono::steady_clock::now();
   try {
     work.pass.body(WorkContext(world_, work));
@@ -152,6 +158,7 @@ void Executor::prepare(const std::string& field) {
 
 void Executor::prepare(const std::vector<std::string>& fields) {
   for (const std::string& field : fields) prepare_for_reader(field);
+  world_.backend.finish();
 }
 
 void Executor::prepare_for_reader(const std::string& field) {

@@ -32,7 +32,8 @@ struct StepGraph::Need {
   bool integration;
 };
 
-StepGraph::StepGraph(const Catalogue& catalogue, const std::vector<Member>& members, const std::vector<Reader>& readers)
+StepGraph::StepGraph(const Catalogue& catalogue, const std::vector<Member>& members, const std::vector<Reader>& readers,
+                     const Backend& backend)
     : catalogue_(catalogue), readers_(readers) {
   for (const Member& member : members) {
     for (const Pass& pass : member.passes->passes()) {
@@ -40,6 +41,7 @@ StepGraph::StepGraph(const Catalogue& catalogue, const std::vector<Member>& memb
       work.owner = member.instance;
       work.plugin = member.plugin;
       work.pass = pass;
+      work.on_device = member.on_device;
       work.for_observer.assign(readers.size(), false);
       works_.push_back(std::move(work));
     }
@@ -49,7 +51,7 @@ StepGraph::StepGraph(const Catalogue& catalogue, const std::vector<Member>& memb
                   "two physics plugins move the particles, the second is " + member.instance + ": a case has one flow");
     transport_ = member.passes->transport();
   }
-  add_advection();
+  add_advection(backend);
   check_fields();
   check_writers();
 
@@ -74,7 +76,7 @@ StepGraph::StepGraph(const Catalogue& catalogue, const std::vector<Member>& memb
 }
 
 // What changes because particles do not go exactly with the fluid.
-void StepGraph::add_advection() {
+void StepGraph::add_advection(const Backend& backend) {
   if (transport_.fixed || std::none_of(works_.begin(), works_.end(), [&](const Work& work) {
         return makes(work, transport_.shift) && !work.pass.adds_nothing;
       }))
@@ -86,7 +88,8 @@ void StepGraph::add_advection() {
     if (!has_rate(advance) || (advance != Advance::predicted && !transport_.fixed)) continue;
     Work work;
     work.owner = "framework";
-    work.pass = advection_pass(entry.declaration, transport_);
+    work.pass = backend.advection(entry.declaration, transport_);
+    work.on_device = true;
     work.for_observer.assign(readers_.size(), false);
     works_.push_back(std::move(work));
   }

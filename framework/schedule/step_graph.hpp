@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "exec/backend.hpp"
 #include "mesogen/export.hpp"
 #include "schedule/catalogue.hpp"
 #include "schedule/work.hpp"
@@ -29,10 +30,12 @@ class MESOGEN_EXPORT StepGraph {
     std::string instance;  ///< "physics.flow"
     const PassList* passes;
     std::string plugin = {};  ///< "wcsph"
+    bool on_device = false;   ///< its passes run on the backend's device
   };
 
   /// Throws an Error that names the chain: two writers, a field that nobody provides, a cycle.
-  StepGraph(const Catalogue& catalogue, const std::vector<Member>& members, const std::vector<Reader>& readers);
+  StepGraph(const Catalogue& catalogue, const std::vector<Member>& members, const std::vector<Reader>& readers,
+            const Backend& backend = Backend::host());
 
   [[nodiscard]] std::vector<Work>& works() { return works_; }
   [[nodiscard]] const std::vector<Work>& works() const { return works_; }
@@ -53,7 +56,7 @@ class MESOGEN_EXPORT StepGraph {
 
  private:
   struct Need;
-  void add_advection();
+  void add_advection(const Backend& backend);
   void check_fields() const;
   void check_writers() const;
   void follow(const std::string& field, const std::string& wanted_by, Need& need);

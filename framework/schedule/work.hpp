@@ -13,6 +13,7 @@ struct Work {
   std::string owner;   ///< instance in the case: "physics.flow"
   std::string plugin;  ///< its type: "wcsph"
   Pass pass;
+  bool on_device = false;          ///< its code runs on the backend's device, if that has one
   bool for_integration = false;    ///< needed to advance the run
   std::vector<bool> for_observer;  ///< needed by the n-th reader (observers, then output)
   std::int64_t runs = 0;

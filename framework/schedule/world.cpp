@@ -4,15 +4,19 @@
 
 namespace mesogen {
 
-World::World(Scene scene_of_run, sph::SmoothingKernel kernel_of_run, const Boundary& boundary_of_run, Particles all)
+World::World(Scene scene_of_run, sph::SmoothingKernel kernel_of_run, const Boundary& boundary_of_run, Particles all,
+             const Backend& backend_of_run)
     : scene(std::move(scene_of_run)),
       kernel(std::move(kernel_of_run)),
       boundary(boundary_of_run),
+      backend(backend_of_run),
       particles(std::move(all)),
-      neighbourhood(scene, boundary) {}
+      neighbourhood(scene, boundary, backend),
+      scratch_(backend.memory()),
+      copy_rules_(backend.memory()) {}
 
 Field& World::add_field(const std::string& name, int components, bool integrated) {
-  Field& field = fields.add(std::make_unique<Field>(name, components, scene.precision, integrated));
+  Field& field = fields.add(std::make_unique<Field>(name, components, scene.precision, integrated, backend));
   field.resize(particles.count(), neighbourhood.outside_count());
   return field;
 }
@@ -22,7 +26,7 @@ Field& World::add_copy_in_double(const Field& of) {
 }
 
 Field& World::add_in_double(const std::string& name, int components) {
-  Field& field = fields.add(std::make_unique<Field>(name, components, Precision::double_precision, true));
+  Field& field = fields.add(std::make_unique<Field>(name, components, Precision::double_precision, true, backend));
   field.resize(particles.count(), neighbourhood.outside_count());
   return field;
 }
@@ -34,7 +38,7 @@ void World::resize_fields() {
 void World::settle() {
   if (!moved_) return;
   moved_ = false;
-  const std::vector<Index>* order = neighbourhood.update(particles);
+  const exec::Array<Index>* order = neighbourhood.update(particles);
   if (order != nullptr) permute_fields(*order);
 }
 
@@ -43,7 +47,7 @@ void World::reorder() {
   moved_ = true;
 }
 
-void World::permute_fields(const std::vector<Index>& order) {
+void World::permute_fields(const exec::Array<Index>& order) {
   ++positions_version_;
   resize_fields();
   for (const auto& [name, field] : fields.all()) {
@@ -58,11 +62,19 @@ void World::sort_anew() {
   settle();
 }
 
-void World::restore_order(std::array<std::vector<double>, 3> sorted_position) {
+void World::restore_order(const std::array<std::vector<double>, 3>& sorted_position) {
   mark_moved();
-  neighbourhood.restore(particles, std::move(sorted_position));
+  neighbourhood.restore(particles, sorted_position);
   resize_fields();
   for (const auto& [name, field] : fields.all()) field->refreshed = 0;
+}
+
+template <class Real>
+void World::carry_over(Field& field) {
+  const auto& source = neighbourhood.copy_source();
+  backend.loops<Real>().carry_over(field.view<Real>(), field.components(), particles.count(), source.data(),
+                                   static_cast<Index>(source.size()),
+                                   copy_rules_.of(field, scene, boundary, neighbourhood));
 }
 
 void World::refresh_outside(Field& field) {
@@ -73,11 +85,12 @@ void World::refresh_outside(Field& field) {
   if (field.refreshed == field.version && field.refreshed_at == positions) return;
   const auto start = std::chrono::steady_clock::now();
   if (walls) {
+    backend.finish();
     walls_.refresh(neighbourhood, scene, kernel, boundary, field);
   } else if (single()) {
-    boundary.refresh(neighbourhood.copies(), field.view<float>(), field.components(), particles.count());
+    carry_over<float>(field);
   } else {
-    boundary.refresh(neighbourhood.copies(), field.view<double>(), field.components(), particles.count());
+    carry_over<double>(field);
   }
   field.refreshed = field.version;
   field.refreshed_at = positions;

@@ -2,9 +2,11 @@
 
 #include <cstdint>
 
+#include "domain/copy_rules.hpp"
 #include "domain/neighbourhood.hpp"
 #include "domain/particles.hpp"
 #include "domain/wall_values.hpp"
+#include "exec/backend.hpp"
 #include "field/field.hpp"
 #include "mesogen/export.hpp"
 #include "mesogen/plugin/boundary.hpp"
@@ -16,13 +18,16 @@ namespace mesogen {
 /// The state of a run: where the particles are, what they carry, and when it is.
 class MESOGEN_EXPORT World {
  public:
-  World(Scene scene, sph::SmoothingKernel kernel, const Boundary& boundary, Particles particles);
+  /// On a device the particles lie in the backend's memory.
+  World(Scene scene, sph::SmoothingKernel kernel, const Boundary& boundary, Particles particles,
+        const Backend& backend = Backend::host());
   World(const World&) = delete;
   World& operator=(const World&) = delete;
 
   const Scene scene;
   const sph::SmoothingKernel kernel;
   const Boundary& boundary;
+  const Backend& backend;
   Particles particles;
   Neighbourhood neighbourhood;
   FieldStore fields;
@@ -54,7 +59,7 @@ class MESOGEN_EXPORT World {
   /// Sorts whether or not it must be.
   void sort_anew();
   /// Sorts as a checkpoint says; see Neighbourhood::restore.
-  void restore_order(std::array<std::vector<double>, 3> sorted_position);
+  void restore_order(const std::array<std::vector<double>, 3>& sorted_position);
   /// Brings what a field is beyond the faces up to date, at copies or dummies, if it is not.
   void refresh_outside(Field& field);
   /// How often, and how long in all, s.
@@ -63,11 +68,14 @@ class MESOGEN_EXPORT World {
 
  private:
   void resize_fields();
-  void permute_fields(const std::vector<Index>& order);
+  void permute_fields(const exec::Array<Index>& order);
+  template <class Real>
+  void carry_over(Field& field);
   bool moved_ = true;
   std::uint64_t positions_version_ = 1;
   Field::Scratch scratch_;
   WallValues walls_;
+  CopyRules copy_rules_;
   std::int64_t refreshes_ = 0;
   double refresh_seconds_ = 0.0;
 };

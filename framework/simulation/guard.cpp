@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "mesogen/diagnostics/error.hpp"
-#include "mesogen/exec/blocks.hpp"
 #include "simulation/closest_pair.hpp"
 #include "simulation/rounded_text.hpp"
 #include "sph/lattice.hpp"
@@ -65,36 +64,14 @@ Index farthest_outside(const Field& field, Index count, double lowest, double hi
 
 // Looks at the numbers that passes see: half as many bytes as the doubles of an advanced field.
 template <class Real>
-bool is_outside(Field& field, Index count, double lowest, double highest) {
-  const FieldView<Real> view = field.view<Real>();
-  const Real low(lowest);
-  const Real high(highest);
-  int outside = 0;
-  const int components = field.components();
-  const exec::Blocks blocks(count);
-  // Written so that NaN is outside.
-  if (components == 1) {
-    const Real* const values = view.component(0);
-#pragma omp parallel for schedule(static) reduction(| : outside)
-    for (Index block = 0; block < blocks.number(); ++block)
-      for (Index i = blocks.begin(block); i < blocks.end(block); ++i)
-        outside |= static_cast<int>(!(values[i] >= low)) | static_cast<int>(!(values[i] <= high));
-    return outside != 0;
-  }
-#pragma omp parallel for schedule(static) reduction(| : outside)
-  for (Index block = 0; block < blocks.number(); ++block) {
-    for (Index i = blocks.begin(block); i < blocks.end(block); ++i) {
-      Real square(0);
-      for (int c = 0; c < components; ++c) square += view(c, i) * view(c, i);
-      outside |= static_cast<int>(!(square <= high * high)) | static_cast<int>(low > Real(0) && !(square >= low * low));
-    }
-  }
-  return outside != 0;
+exec::Finding look_outside(const World& world, Field& field, double lowest, double highest) {
+  return world.backend.loops<Real>().is_outside(field.view<Real>(), field.components(), world.particles.count(), lowest,
+                                                highest);
 }
 
-bool is_outside(const World& world, Field& field, double lowest, double highest) {
-  return world.single() ? is_outside<float>(field, world.particles.count(), lowest, highest)
-                        : is_outside<double>(field, world.particles.count(), lowest, highest);
+exec::Finding look_outside(const World& world, Field& field, double lowest, double highest) {
+  return world.single() ? look_outside<float>(world, field, lowest, highest)
+                        : look_outside<double>(world, field, lowest, highest);
 }
 
 // On a lattice of as many particles as the box holds.
@@ -130,8 +107,17 @@ void Guard::check(const Motion& motion) const {
   check_finite(motion);
   check_speed(motion);
   check_step(motion);
-  check_fields();
-  if (volume_ != nullptr) check_volumes();
+  std::vector<exec::Finding> outside;
+  for (const auto& [field, bounds] : fields_)
+    outside.push_back(look_outside(world_, *field, bounds.lowest, bounds.highest));
+  if (volume_ != nullptr)
+    outside.push_back(
+        look_outside(world_, *volume_, smallest_volume * lattice_volume_, largest_volume * lattice_volume_));
+  world_.backend.collect();
+  const auto is_outside = [&](std::size_t n) { return world_.backend.found(outside[n]) > 0.0; };
+  for (std::size_t n = 0; n < fields_.size(); ++n)
+    if (is_outside(n)) stop_at_field(fields_[n]);
+  if (volume_ != nullptr && is_outside(fields_.size())) stop_at_volume();
   if (looks_for_pairs_ && world_.step % steps_between_looks == 0) check_distances();
 }
 
@@ -169,21 +155,17 @@ void Guard::check_step(const Motion& motion) const {
        "Take a smaller step (time.factor = 0.5), more particles, or a smaller activity");
 }
 
-void Guard::check_fields() const {
-  for (const auto& [field, bounds] : fields_) {
-    if (!is_outside(world_, *field, bounds.lowest, bounds.highest)) continue;
-    const Index place = farthest_outside(*field, world_.particles.count(), bounds.lowest, bounds.highest);
-    stop("broke down: '" + field->name() + "' is " + rounded_text(length_of(*field, place)) + " at " + particle(place) +
-             ", outside " + rounded_text(bounds.lowest) + " to " + rounded_text(bounds.highest) + ",",
-         bounds.remedy);
-  }
+void Guard::stop_at_field(const Guarded& guarded) const {
+  const auto& [field, bounds] = guarded;
+  const Index place = farthest_outside(*field, world_.particles.count(), bounds.lowest, bounds.highest);
+  stop("broke down: '" + field->name() + "' is " + rounded_text(length_of(*field, place)) + " at " + particle(place) +
+           ", outside " + rounded_text(bounds.lowest) + " to " + rounded_text(bounds.highest) + ",",
+       bounds.remedy);
 }
 
-void Guard::check_volumes() const {
-  const double lowest = smallest_volume * lattice_volume_;
-  const double highest = largest_volume * lattice_volume_;
-  if (!is_outside(world_, *volume_, lowest, highest)) return;
-  const Index place = farthest_outside(*volume_, world_.particles.count(), lowest, highest);
+void Guard::stop_at_volume() const {
+  const Index place = farthest_outside(*volume_, world_.particles.count(), smallest_volume * lattice_volume_,
+                                       largest_volume * lattice_volume_);
   const double ratio = volume_->value(0, place) / lattice_volume_;
   stop("broke down: the volume of " + particle(place) + " is " + rounded_text(ratio) +
            " times that on a lattice, outside " + rounded_text(smallest_volume) + " to " +
@@ -193,6 +175,7 @@ void Guard::check_volumes() const {
 }
 
 void Guard::check_distances() const {
+  world_.backend.finish();
   const auto pair = closest_pair(world_, nearest * world_.scene.spacing);
   if (!pair) return;
   stop("broke down: " + particle(std::min(pair->a, pair->b)) + " and " + particle(std::max(pair->a, pair->b)) +

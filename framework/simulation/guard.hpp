@@ -37,9 +37,9 @@ class MESOGEN_EXPORT Guard {
 
   void check_speed(const Motion& motion) const;
   void check_step(const Motion& motion) const;
-  void check_fields() const;
-  void check_volumes() const;
   void check_distances() const;
+  [[noreturn]] void stop_at_field(const Guarded& guarded) const;
+  [[noreturn]] void stop_at_volume() const;
   [[nodiscard]] std::string particle(Index place) const;
   [[noreturn]] void stop(const std::string& what, const std::string& remedy) const;
 

@@ -85,6 +85,8 @@ std::vector<bool> Observation::due(double from, double to, std::int64_t steps, b
 }
 
 void Observation::follow() {
+  if (std::ranges::any_of(stepper_.setup().observers, [](const auto& member) { return member.plan.follows(); }))
+    stepper_.world().backend.finish();
   for (const auto& member : stepper_.setup().observers)
     if (member.plan.follows())
       call(stepper_.world(), member, "follow()",

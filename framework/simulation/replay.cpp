@@ -150,6 +150,7 @@ ExitCode replay_run(const PluginRegistry& registry, const ReplayOptions& options
   Problems problems;
   const std::string name = (options.folder / "case.toml").string();
   Case source = read_case_with_observers(text, name, options.observers, options.overrides, problems);
+  source.run.device = "cpu";  // what is there to look at does not need the device that made it
   const auto setup = set_up(std::move(source), registry, problems);
   if (setup->observers.empty())
     throw Error(ExitCode::bad_case,

@@ -48,6 +48,7 @@ class Run {
     stepper_.start();
     observation_.start();
     observation_.observe(std::vector<bool>(setup_.observers.size() + 1, true), results);
+    if (!setup_.backend->device().empty()) tell_device();
     log_.info(fmt::format("{} particles, {} threads, {}, first step {} s (limit: {})", setup_.scene.particle_count,
                           omp_get_max_threads(), precision(), rounded_text(stepper_.next_step(end()).seconds),
                           stepper_.next_step(end()).limit));
@@ -59,6 +60,13 @@ class Run {
   [[nodiscard]] double end() const { return setup_.source.time.end; }
   [[nodiscard]] std::string precision() const {
     return setup_.scene.precision == Precision::single_precision ? "single precision" : "double precision";
+  }
+  void tell_device() {
+    log_.info("computing on " + setup_.backend->device());
+    for (const auto& member : setup_.physics)
+      if (!member.on_device)
+        log_.warn(member.instance + " computes on the host, since '" + member.type +
+                  "' has no code for CUDA: fields go there and back at every step");
   }
   [[nodiscard]] bool stopped() const { return options_.stop != nullptr && options_.stop->load(); }
 

@@ -6,6 +6,7 @@
 
 #include "case/nearest.hpp"
 #include "case/resolved.hpp"
+#include "exec/cuda_library.hpp"
 #include "initial/fields.hpp"
 #include "plugin/plugin_call.hpp"
 #include "simulation/rounded_text.hpp"
@@ -34,6 +35,7 @@ class SetupBuilder {
         additions_(additions),
         resolved_(setup.source) {}
 
+  void choose_backend();
   void make_plugins();
   void choose_kernel();
   void put_together();
@@ -88,6 +90,20 @@ void SetupBuilder::read(const PluginChoice& choice, const ParameterList& list) {
   resolved_.add(choice.section, list);
 }
 
+void SetupBuilder::choose_backend() {
+  const std::string& device = source_.run.device;
+  const bool all_have_code =
+      std::ranges::all_of(source_.physics, [&](const PluginChoice& choice) { return registry_.has_cuda(choice.type); });
+  if (device == "cpu" || (device == "auto" && !all_have_code)) return;
+  const CudaBackend cuda = cuda_backend();
+  if (cuda.backend != nullptr) {
+    setup_.backend = cuda.backend;
+  } else if (device == "cuda") {
+    problems_.add(source_.place("run.device"), "run.device",
+                  cuda.problem + R"(; take "cpu", or "auto" for CUDA where that can be)");
+  }
+}
+
 void SetupBuilder::make_plugins() {
   const auto simple = [&](const PluginChoice& choice, auto& plugin) {
     if (!plugin) return;
@@ -105,15 +121,19 @@ void SetupBuilder::make_plugins() {
   setup_.kernel = make(source_.kernel, [&](const std::string& type) { return registry_.make_kernel(type); });
   simple(source_.kernel, setup_.kernel);
   for (const PluginChoice& choice : source_.physics) {
-    auto plugin =
-        make(choice, [&](const std::string& type) { return registry_.make_physics(type, source_.run.precision, 2); });
+    const bool on_device = !setup_.backend->device().empty() && registry_.has_cuda(choice.type);
+    auto plugin = make(choice, [&](const std::string& type) {
+      return on_device ? registry_.make_physics_for_cuda(type, source_.run.precision, 2)
+                       : registry_.make_physics(type, source_.run.precision, 2);
+    });
     simple(choice, plugin);
-    if (plugin) setup_.physics.push_back({"physics." + choice.instance, std::move(plugin), {}, choice.type});
+    if (plugin) setup_.physics.push_back({"physics." + choice.instance, std::move(plugin), {}, choice.type, on_device});
   }
-  setup_.instruction_sets = "derivatives " + sph::instruction_set();
-  for (const PluginChoice& choice : source_.physics)
-    if (const LoadedPlugin* const plugin = registry_.find(PluginKind::physics, choice.type))
-      setup_.instruction_sets += ", " + choice.type + " " + plugin->instruction_set;
+  setup_.instruction_sets =
+      "derivatives " + (setup_.backend->device().empty() ? sph::instruction_set() : std::string("cuda"));
+  for (const auto& member : setup_.physics)
+    if (const LoadedPlugin* const plugin = registry_.find(PluginKind::physics, member.type))
+      setup_.instruction_sets += ", " + member.type + " " + (member.on_device ? "cuda" : plugin->instruction_set);
   for (std::size_t n = 0; n < source_.observers.size(); ++n) {
     const PluginChoice& choice = source_.observers[n];
     auto plugin = make(choice, [&](const std::string& type) { return registry_.make_observer(type); });
@@ -285,11 +305,12 @@ void SetupBuilder::put_together() {
   if (!problems_.empty()) return;
   if (additions_.readers) additions_.readers(setup_);
   std::vector<StepGraph::Member> members;
-  for (const auto& member : setup_.physics) members.push_back({member.instance, &member.passes, member.type});
+  for (const auto& member : setup_.physics)
+    members.push_back({member.instance, &member.passes, member.type, member.on_device});
   std::vector<Reader> readers;
   for (const auto& member : setup_.observers) readers.push_back({"observers." + member.instance, member.fields});
   readers.push_back({"output.fields", setup_.output_fields});
-  setup_.graph = std::make_unique<StepGraph>(setup_.catalogue, members, readers);
+  setup_.graph = std::make_unique<StepGraph>(setup_.catalogue, members, readers, *setup_.backend);
   setup_.resolved_text = resolved_.text();
 }
 
@@ -299,6 +320,7 @@ std::unique_ptr<Setup> set_up(Case source, const PluginRegistry& registry, Probl
                               const SetupAdditions& additions) {
   auto setup = std::make_unique<Setup>(std::move(source));
   SetupBuilder builder(*setup, registry, problems, additions);
+  builder.choose_backend();
   builder.make_plugins();
   builder.choose_kernel();
   try {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "case/case.hpp"
+#include "exec/backend.hpp"
 #include "initial/arrangement.hpp"
 #include "mesogen/export.hpp"
 #include "mesogen/plugin/scene.hpp"
@@ -22,7 +23,8 @@ struct MESOGEN_EXPORT Setup {
     std::string instance;  ///< "physics.flow"
     std::unique_ptr<Physics> plugin;
     PassList passes;
-    std::string type;  ///< "wcsph"
+    std::string type;        ///< "wcsph"
+    bool on_device = false;  ///< its passes run on the backend's device
   };
   struct ObserverMember {
     std::string instance;  ///< "flow"
@@ -36,6 +38,7 @@ struct MESOGEN_EXPORT Setup {
   explicit Setup(Case checked) : source(std::move(checked)), catalogue(2) {}
 
   Case source;
+  const Backend* backend = &Backend::host();  ///< where it runs
   std::unique_ptr<Kernel> kernel;
   std::unique_ptr<Boundary> boundary;
   std::vector<PhysicsMember> physics;

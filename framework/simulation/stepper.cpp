@@ -13,13 +13,13 @@ namespace mesogen {
 
 namespace {
 
-Particles initial_particles(const Arrangement& arrangement, int dimension) {
-  Particles particles;
+Particles initial_particles(const Arrangement& arrangement, int dimension, exec::Memory& memory) {
+  Particles particles(memory);
   particles.dimension = dimension;
   particles.id.resize(static_cast<std::size_t>(arrangement.count));
   std::iota(particles.id.begin(), particles.id.end(), 0);
   for (int d = 0; d < dimension; ++d) {
-    particles.position[d] = arrangement.position[d];
+    particles.position[d].assign(arrangement.position[d].begin(), arrangement.position[d].end());
     particles.images[d].assign(particles.id.size(), 0);
   }
   return particles;
@@ -50,7 +50,7 @@ TimeScheme time_scheme(const std::string& name) {
 Stepper::Stepper(Setup& setup)
     : setup_(setup),
       world_(setup.scene, setup.smoothing, *setup.boundary,
-             initial_particles(setup.arrangement, setup.scene.dimension)),
+             initial_particles(setup.arrangement, setup.scene.dimension, setup.backend->memory()), *setup.backend),
       derived_((add_fields(), std::make_unique<DerivedFields>(
                                   world_, setup.catalogue, setup.graph->derived_for_integration(),
                                   [&] {
@@ -148,16 +148,18 @@ void Stepper::keep_order() {
 }
 
 void Stepper::save(Checkpoint& checkpoint) {
+  world_.backend.finish();
+  const auto list = [](const auto& values) { return std::vector(values.begin(), values.end()); };
   checkpoint.step = world_.step;
   checkpoint.time = world_.time;
   checkpoint.step_size = world_.step_size;
   checkpoint.precision = world_.scene.precision;
   checkpoint.dimension = world_.scene.dimension;
-  checkpoint.integers["id"] = world_.particles.id;
+  checkpoint.integers["id"] = list(world_.particles.id);
   for (int d = 0; d < world_.scene.dimension; ++d) {
     const std::string axis = std::to_string(d);
-    checkpoint.numbers["position " + axis] = world_.particles.position[d];
-    checkpoint.numbers["sorted position " + axis] = world_.neighbourhood.sorted_position()[d];
+    checkpoint.numbers["position " + axis] = list(world_.particles.position[d]);
+    checkpoint.numbers["sorted position " + axis] = list(world_.neighbourhood.sorted_position()[d]);
     const auto& images = world_.particles.images[d];
     checkpoint.integers["images " + axis].assign(images.begin(), images.end());
   }
@@ -190,10 +192,12 @@ void Stepper::restore(const Checkpoint& checkpoint) {
   const auto take = [&](const auto& map, const std::string& name) -> const auto& {
     return take_of(map, name, world_.particles.id.size(), "particles");
   };
+  const auto put = [](const auto& values, auto& to) { to.assign(values.begin(), values.end()); };
+  world_.backend.finish();
   world_.step = checkpoint.step;
   world_.time = checkpoint.time;
   world_.step_size = checkpoint.step_size;
-  world_.particles.id = take(checkpoint.integers, "id");
+  put(take(checkpoint.integers, "id"), world_.particles.id);
   std::vector<bool> seen(world_.particles.id.size(), false);
   for (const std::int64_t id : world_.particles.id) {
     if (id < 0 || id >= world_.particles.count() || seen[static_cast<std::size_t>(id)])
@@ -204,7 +208,7 @@ void Stepper::restore(const Checkpoint& checkpoint) {
   std::array<std::vector<double>, 3> sorted;
   for (int d = 0; d < world_.scene.dimension; ++d) {
     const std::string axis = std::to_string(d);
-    world_.particles.position[d] = take(checkpoint.numbers, "position " + axis);
+    put(take(checkpoint.numbers, "position " + axis), world_.particles.position[d]);
     sorted[d] = take(checkpoint.numbers, "sorted position " + axis);
     const auto& images = take(checkpoint.integers, "images " + axis);
     for (std::size_t i = 0; i < images.size(); ++i)
@@ -224,7 +228,7 @@ void Stepper::restore(const Checkpoint& checkpoint) {
       std::copy(numbers.begin(), numbers.end(), numbers_of(member, kept).begin());
     }
   }
-  world_.restore_order(std::move(sorted));
+  world_.restore_order(sorted);
   motion_.fastest = integrator_.fastest();
   motion_.largest_acceleration = integrator_.velocity_by_passes()
                                      ? take_of(checkpoint.numbers, "largest acceleration", 1, "numbers").front()

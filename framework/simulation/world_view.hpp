@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -20,7 +21,7 @@ class MESOGEN_EXPORT WorldView : public ObserverContext {
   [[nodiscard]] std::vector<double> position(int axis) const override;
   [[nodiscard]] std::vector<double> unwrapped(int axis) const override;
   [[nodiscard]] double unwrapped_at(int axis, std::size_t place) const override;
-  [[nodiscard]] const std::vector<std::int64_t>& id() const override { return world_.particles.id; }
+  [[nodiscard]] std::span<const std::int64_t> id() const override { return world_.particles.id; }
   [[nodiscard]] const Scene& scene() const override { return world_.scene; }
   [[nodiscard]] const sph::SmoothingKernel& kernel() const override { return world_.kernel; }
   [[nodiscard]] double constant(std::string_view name) const override;

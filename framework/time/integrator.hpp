@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -71,27 +72,20 @@ class MESOGEN_EXPORT Integrator {
     bool predicted;
     Field* start;  // with TimeScheme::midpoint: a predicted field at the start of the step
   };
-  struct Largest {
-    double value;  // length of the advanced vector; infinite if something is not a number
-    double rate;
-  };
-  // f = from + by * rate
-  template <class Real, int Components>
-  Largest advance(const Advanced& one, Field& from, double by);
+  // f = from + by * rate; see Loops::advance for what is found.
   template <class Real>
-  Largest advance(const Advanced& one, Field& from, double by);
-  Largest advance(const Advanced& one, Field& from, double by);
-  // False if a particle is nowhere.
+  exec::Finding advance(const Advanced& one, Field& from, double by);
+  exec::Finding advance(const Advanced& one, Field& from, double by);
+  // Nothing where nothing moves.
   template <class Real>
-  bool move(double by, double shift_by);
-  bool move(double by, double shift_by);
+  exec::Finding move(double by, double shift_by);
+  std::optional<exec::Finding> move(double by, double shift_by);
   // The same with a velocity that passes made, from where the step started.
   template <class Real>
-  bool move_by_passes(double step_size, bool to_midpoint);
-  Motion correct_by_passes(double step_size);
+  exec::Finding move_by_passes(double step_size, bool to_midpoint);
+  exec::Finding move_by_passes(double step_size, bool to_midpoint);
   template <class Real>
   void look(double step_size, Motion& motion) const;
-  void advance_fields(double step_size, Motion& motion);
 
   World& world_;
   TimeScheme scheme_;

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <span>
 
 #include "simulation/world_view.hpp"
 #include "test_plugins.hpp"
@@ -10,7 +11,7 @@ namespace mesogen::test {
 
 namespace {
 
-std::vector<double> by_id(const std::vector<std::int64_t>& id, const std::vector<double>& stored) {
+std::vector<double> by_id(std::span<const std::int64_t> id, const std::vector<double>& stored) {
   std::vector<double> values(stored.size());
   for (std::size_t i = 0; i < stored.size(); ++i) values[static_cast<std::size_t>(id[i])] = stored[i];
   return values;

@@ -104,7 +104,7 @@ class FakeObserverContext final : public ObserverContext {
     return stored(path_.at(static_cast<std::size_t>(axis)));
   }
   [[nodiscard]] double unwrapped_at(int axis, std::size_t place) const override { return unwrapped(axis).at(place); }
-  [[nodiscard]] const std::vector<std::int64_t>& id() const override { return id_; }
+  [[nodiscard]] std::span<const std::int64_t> id() const override { return id_; }
   [[nodiscard]] const Scene& scene() const override { return scene_; }
   [[nodiscard]] const sph::SmoothingKernel& kernel() const override { return kernel_; }
   [[nodiscard]] double constant(std::string_view name) const override {

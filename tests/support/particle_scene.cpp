@@ -35,7 +35,7 @@ Particles particles_at(const std::array<std::vector<double>, 2>& points) {
   particles.id.resize(points[0].size());
   std::iota(particles.id.begin(), particles.id.end(), 0);
   for (std::size_t d = 0; d < 2; ++d) {
-    particles.position[d] = points[d];
+    particles.position[d].assign(points[d].begin(), points[d].end());
     particles.images[d].assign(points[d].size(), 0);
   }
   return particles;

@@ -15,7 +15,7 @@ class Unfit final : public Boundary {
  public:
   void parameters(ParameterList& list) override {
     list.text("fault", fault_)
-        .choices({"none", "lost", "uncounted", "restless", "corners", "twice", "inside", "refresh", "threads"})
+        .choices({"none", "lost", "uncounted", "restless", "corners", "twice", "inside", "carry_over", "threads"})
         .doc("what is wrong");
   }
   [[nodiscard]] bool wraps(int) const override { return false; }
@@ -54,11 +54,8 @@ class Unfit final : public Boundary {
     }
   }
 
-  using Boundary::refresh;
-  void refresh(const Copies& copies, FieldView<double> field, int components, Index count) const override {
-    for (std::size_t n = 0; n < copies.source.size(); ++n)
-      for (int c = 0; c < components; ++c)
-        field(c, count + static_cast<Index>(n)) = (fault_ == "refresh" ? 2.0 : 1.0) * field(c, copies.source[n]);
+  void carry_over(const Scene&, std::string_view, int, const Copies&, std::vector<Extension>& rules) const override {
+    for (Extension& rule : rules) rule.factor = fault_ == "carry_over" ? 2.0 : 1.0;
   }
 
  private:

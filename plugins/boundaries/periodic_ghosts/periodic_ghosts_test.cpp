@@ -88,20 +88,17 @@ TEST(PeriodicGhosts, OrderDoesNotDependOnThreads) {
   EXPECT_EQ(one.offset, five.offset);
 }
 
-TEST(PeriodicGhosts, RefreshTakesTheValueOfTheSource) {
+TEST(PeriodicGhosts, CopiesHaveTheValuesOfTheirSources) {
   const Scene scene = scene_of(2, {1.0, 1.0, 0.0});
-  const Points points = scattered(scene, 50, 1);
   const auto boundary = ghosts();
-  const Copies copies = copies_of(*boundary, scene, points, 0.3);
-  const std::size_t made = copies.source.size();
-  ASSERT_GT(made, 0U);
-  std::vector<double> values(2 * (50 + made), -1.0);
-  const FieldView<double> field{values.data(), static_cast<std::ptrdiff_t>(50 + made)};
-  for (Index i = 0; i < 50; ++i)
-    for (int c = 0; c < 2; ++c) field(c, i) = 100.0 * c + i;
-  boundary->refresh(copies, field, 2, 50);
-  for (std::size_t k = 0; k < made; ++k)
-    for (int c = 0; c < 2; ++c) EXPECT_EQ(field(c, static_cast<Index>(50 + k)), 100.0 * c + copies.source[k]);
+  const Copies copies = copies_of(*boundary, scene, scattered(scene, 50, 1), 0.3);
+  ASSERT_GT(copies.source.size(), 0U);
+  std::vector<Extension> rules(2 * copies.source.size());
+  boundary->carry_over(scene, "velocity", 2, copies, rules);
+  for (const Extension& rule : rules) {
+    EXPECT_EQ(rule.factor, 1.0);
+    EXPECT_EQ(rule.summand, 0.0);
+  }
 }
 
 TEST(PeriodicGhosts, CopiesNothingOfNothing) {

@@ -164,7 +164,7 @@ class Pathlines final : public Observer {
   }
 
   /// Brings `place_` up to date. Particles are rarely stored anew, so mostly each is where it was.
-  void find(const std::vector<std::int64_t>& stored) {
+  void find(std::span<const std::int64_t> stored) {
     bool same = place_.size() == id_.size();
     for (std::size_t i = 0; same && i < id_.size(); ++i) same = stored[place_[i]] == id_[i];
     if (same) return;

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 
 #include "mesogen/export.hpp"
 
@@ -21,6 +22,11 @@ struct FieldView {
   MESOGEN_HOST_DEVICE T& operator()(int component, Index particle) const { return base[component * stride + particle]; }
   MESOGEN_HOST_DEVICE T* component(int c) const { return base + c * stride; }
   MESOGEN_HOST_DEVICE explicit operator bool() const { return base != nullptr; }
+  /// What is written can be read.
+  template <class U>
+  requires(std::is_same_v<U, const T> && !std::is_const_v<T>) MESOGEN_HOST_DEVICE operator FieldView<U>() const {
+    return {base, stride};
+  }  // NOLINT: nothing is lost
 };
 
 }  // namespace mesogen

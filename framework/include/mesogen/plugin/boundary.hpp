@@ -22,7 +22,7 @@ struct Dummies {
   std::vector<std::array<double, 3>> mirror;    ///< point inside the box from which each takes its values, m
 };
 
-/// The value of a component at a dummy: factor * (value at its mirror point) + summand.
+/// The value of a component at a dummy or a copy: factor * (value at the mirror point, or of its source) + summand.
 struct Extension {
   double factor = 1.0;
   double summand = 0.0;
@@ -53,10 +53,10 @@ class MESOGEN_EXPORT Boundary {
   /// Copies needed so that every particle of the box finds all neighbours within `reach`. `position[d]` points to the
   /// coordinates of all particles. The order of the copies must not depend on the number of threads.
   virtual void copies(const Scene& scene, const double* const* position, Index count, double reach, Copies& out) const;
-  /// Writes the value of one field's component at every copy. As the field stands, copies follow the real particles.
-  /// By default each takes its source's value.
-  virtual void refresh(const Copies& copies, FieldView<float> field, int components, Index count) const;
-  virtual void refresh(const Copies& copies, FieldView<double> field, int components, Index count) const;
+  /// How a field goes over from particles to their copies: `extension[n * components + c]` is for component c of copy
+  /// n. They come as "the same".
+  virtual void carry_over(const Scene& scene, std::string_view field, int components, const Copies& copies,
+                          std::vector<Extension>& extension) const;
   /// Dummies needed so that every particle of the box has neighbours all around it, as far as `reach` (m). Called once.
   virtual void dummies(const Scene& scene, double reach, Dummies& out) const;
   /// How a field goes on behind the wall: `extension[n * components + c]` is for component c at dummy n. They come as

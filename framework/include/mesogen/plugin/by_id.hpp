@@ -13,7 +13,7 @@ namespace mesogen {
 class ById {
  public:
   explicit ById(const ObserverContext& context) : context_(context), place_(context.id().size()) {
-    const auto& id = context.id();
+    const auto id = context.id();
     for (std::size_t i = 0; i < id.size(); ++i) place_.at(static_cast<std::size_t>(id[i])) = i;
   }
 

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <deque>
 #include <map>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -91,7 +92,7 @@ class MESOGEN_EXPORT ObserverContext {
   [[nodiscard]] virtual std::vector<double> unwrapped(int axis) const = 0;
   /// The same of one particle, by its place in storage: for those who follow a few at every step.
   [[nodiscard]] virtual double unwrapped_at(int axis, std::size_t place) const = 0;
-  [[nodiscard]] virtual const std::vector<std::int64_t>& id() const = 0;
+  [[nodiscard]] virtual std::span<const std::int64_t> id() const = 0;
   [[nodiscard]] virtual const Scene& scene() const = 0;
   [[nodiscard]] virtual const sph::SmoothingKernel& kernel() const = 0;
   /// A number that a physics plugin published for observers (Pa, ...), such as "elastic_constant"; NaN if none did.

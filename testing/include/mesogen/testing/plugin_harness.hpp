@@ -30,6 +30,7 @@ struct TestScene {
   std::string kernel = "quintic";          ///< h = 4/3 spacings
   std::string boundary = "periodic_wrap";  ///< name of the plugin
   Precision precision = Precision::double_precision;
+  std::string device = "cpu";               ///< as run.device of a case
   double step = 0.0;                        ///< s; 0: as long as the plugins allow
   std::string more;                         ///< further sections of a case: "[physics.flow]\ntype = ..."
   std::map<std::string, double> constants;  ///< that other plugins would publish

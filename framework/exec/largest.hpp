@@ -1,0 +1,115 @@
+#pragma once
+
+#include "exec/backend.hpp"
+#include "mesogen/exec/blocks.hpp"
+#include "mesogen/exec/for_each.hpp"
+
+namespace mesogen::exec {
+
+/// Where loops leave what they look for. On a device a look is only asked for, and all that was found comes to the host
+/// together: to wait for each would take longer than the loops.
+class Findings {
+ public:
+  static constexpr int size = 64;
+
+  /// On a device: as many numbers there, and as many on the host in memory that it can be copied to while both work.
+  explicit Findings(double* device = nullptr, double* host = nullptr)
+      : device_(device), host_(host == nullptr ? own_ : host) {}
+  Findings(const Findings&) = delete;
+  Findings& operator=(const Findings&) = delete;
+
+  /// The first of the next `count` numbers: good until some 60 more were taken.
+  Finding take(int count) {
+    if (next_ + count > size) next_ = 0;
+    next_ += count;
+    return {next_ - count};
+  }
+  /// Waits for all that was asked for.
+  void collect(const Space& space) const {
+#ifdef __CUDACC__
+    if (!space.device) return;
+    const auto stream = static_cast<cudaStream_t>(space.stream);
+    cudaMemcpyAsync(host_, device_, size * sizeof(double), cudaMemcpyDeviceToHost, stream);
+    cudaStreamSynchronize(stream);
+#else
+    (void)space;
+#endif
+  }
+  [[nodiscard]] double found(Finding finding) const { return host_[finding.place]; }
+
+  [[nodiscard]] double* device(Finding finding) const { return device_ + finding.place; }
+  [[nodiscard]] double* host(Finding finding) const { return host_ + finding.place; }
+
+ private:
+  double own_[size] = {};
+  double* device_;
+  double* host_;
+  int next_ = 0;
+};
+
+/// `Count` numbers, none of them below zero or not a number.
+template <int Count>
+struct Maxima {
+  double value[Count];
+};
+
+#ifdef __CUDACC__
+namespace detail {
+
+constexpr int reducing_block = 256;
+
+template <int Count, class Function>
+__global__ void find_largest(Index count, Function function, double* largest) {
+  const Index i = static_cast<Index>(blockIdx.x) * static_cast<Index>(blockDim.x) + static_cast<Index>(threadIdx.x);
+  Maxima<Count> own{};
+  if (i < count) function(i, own);
+  for (int n = 0; n < Count; ++n) {
+    for (int step = 16; step > 0; step /= 2) {
+      const double other = __shfl_xor_sync(0xFFFFFFFFU, own.value[n], step);
+      if (other > own.value[n]) own.value[n] = other;
+    }
+    // Maxima that are not negative are in order as the integers of their bits are.
+    if (threadIdx.x % 32 == 0 && own.value[n] > 0.0)
+      atomicMax(reinterpret_cast<unsigned long long*>(largest + n),
+                static_cast<unsigned long long>(__double_as_longlong(own.value[n])));
+  }
+}
+
+}  // namespace detail
+#endif
+
+/// Looks for the largest of each of `Count` numbers over all i: function(i, maxima) raises those that are larger at i.
+/// It raises to infinity where something is not a number.
+template <int Count, class Function>
+Finding find_largest(const Space& space, Findings& findings, Index count, const Function& function) {
+  const Finding finding = findings.take(Count);
+#ifdef __CUDACC__
+  if (space.device) {
+    const auto stream = static_cast<cudaStream_t>(space.stream);
+    constexpr int block = detail::reducing_block;
+    cudaMemsetAsync(findings.device(finding), 0, Count * sizeof(double), stream);
+    if (count > 0)
+      detail::find_largest<Count>
+          <<<(count + block - 1) / block, block, 0, stream>>>(count, function, findings.device(finding));
+    return finding;
+  }
+#else
+  (void)space;
+#endif
+  double* const largest = findings.host(finding);
+  for (int n = 0; n < Count; ++n) largest[n] = 0.0;
+  const Blocks blocks(count);
+#pragma omp parallel
+  {
+    Maxima<Count> own{};
+#pragma omp for schedule(static) nowait
+    for (Index block = 0; block < blocks.number(); ++block)
+      for (Index i = blocks.begin(block); i < blocks.end(block); ++i) function(i, own);
+#pragma omp critical(mesogen_find_largest)
+    for (int n = 0; n < Count; ++n)
+      if (own.value[n] > largest[n]) largest[n] = own.value[n];
+  }
+  return finding;
+}
+
+}  // namespace mesogen::exec

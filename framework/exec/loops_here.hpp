@@ -1,0 +1,122 @@
+#pragma once
+
+#include <stdexcept>
+
+#include "exec/cell_functors.hpp"
+#include "exec/largest.hpp"
+#include "exec/motion_functors.hpp"
+#include "sph/standard_passes.hpp"
+
+/// The framework's loops as the compiler of this file makes them: included once by the host's backend, once by that of
+/// a device.
+namespace mesogen::exec {
+
+template <class Real>
+class LoopsHere final : public Loops<Real> {
+ public:
+  LoopsHere(const Space& space, Findings& findings) : space_(space), findings_(findings) {}
+
+  void zero(FieldView<Real> field, int components, Index count) const override {
+    for_each(space_, count, Zero<Real>{field, components});
+  }
+  void carry_over(FieldView<Real> field, int components, Index count, const Index* source, Index copies,
+                  const Extension* rule) const override {
+    for_each(space_, copies, CarryOver<Real>{field, components, count, source, rule});
+  }
+  Finding advance(const Advancing<Real>& advancing, Index count) const override {
+    switch (advancing.components) {
+      case 1: return advance_of<1>(advancing, count);
+      case 2: return advance_of<2>(advancing, count);
+      case 3: return advance_of<3>(advancing, count);
+      case 4: return advance_of<4>(advancing, count);
+      case 5: return advance_of<5>(advancing, count);
+      case 9: return advance_of<9>(advancing, count);
+      default: throw std::logic_error("a number of components that no rank has");
+    }
+  }
+  Finding move(const Moving<Real>& moving, Index count) const override {
+    return find_largest<1>(space_, findings_, count, Move<Real>{moving});
+  }
+  Finding move(const MovingByPasses<Real>& moving, Index count) const override {
+    return find_largest<1>(space_, findings_, count, MoveByPasses<Real>{moving});
+  }
+  Finding largest_square(FieldView<const Real> field, int components, Index count) const override {
+    return find_largest<1>(space_, findings_, count, SquaredLength<Real>{field, components});
+  }
+  Finding largest_change(FieldView<const Real> velocity, FieldView<const double> way, double step_size, int components,
+                         Index count) const override {
+    return find_largest<1>(space_, findings_, count, SquaredChange<Real>{velocity, way, 2.0 / step_size, components});
+  }
+  Finding is_outside(FieldView<const Real> field, int components, Index count, double lowest,
+                     double highest) const override {
+    return find_largest<1>(space_, findings_, count, Outside<Real>{field, components, Real(lowest), Real(highest)});
+  }
+  bool place(const CellGrid& grid, const Placing<Real>& placing) const override {
+    const Finding strayed =
+        find_largest<1>(space_, findings_, grid.inside_count(), PlaceParticles<Real>{grid, placing});
+    findings_.collect(space_);
+    if (findings_.found(strayed) > 0.0) return false;
+    for_each(space_, placing.copies, PlaceCopies<Real>{grid.dimension(), placing});
+    return true;
+  }
+
+  void volumes(const Neighbours<Real, 2>& neighbours, const sph::SmoothingKernel& kernel,
+               FieldView<Real> volume) const override {
+    sph::volumes<Real, 2>(space_, neighbours, kernel, volume);
+  }
+  void derivatives(const Neighbours<Real, 2>& neighbours, const sph::SmoothingKernel& kernel,
+                   const sph::Derivatives<Real, 2>& wanted) const override {
+    sph::derivatives<Real, 2>(space_, neighbours, kernel, wanted);
+  }
+
+ private:
+  template <int Components>
+  Finding advance_of(const Advancing<Real>& advancing, Index count) const {
+    return find_largest<2>(space_, findings_, count, Advance<Real, Components>{advancing});
+  }
+
+  Space space_;
+  Findings& findings_;
+};
+
+/// All that can be written as loops over what is there: not how particles are put in order.
+class CellLoopsHere : public CellLoops {
+ public:
+  explicit CellLoopsHere(const Space& space) : space_(space) {}
+
+  void find_cells(const CellGrid& grid, const double* const* position, Index count, Index* cell) const override {
+    for_each(space_, count, FindCell{grid, {position[0], position[1], position[2]}, cell});
+  }
+  void find_ranges(const CellGrid& grid, const Index* cell, Index count, Index* begin, Index* end) const override {
+    for_each(space_, count + 1, FindRanges{grid, cell, count, begin, end});
+  }
+  void permute(float* values, const Index* order, Index count, float* scratch) const override {
+    permuted(values, order, count, scratch);
+  }
+  void permute(double* values, const Index* order, Index count, double* scratch) const override {
+    permuted(values, order, count, scratch);
+  }
+  void permute(std::int32_t* values, const Index* order, Index count, std::int32_t* scratch) const override {
+    permuted(values, order, count, scratch);
+  }
+  void permute(std::int64_t* values, const Index* order, Index count, std::int64_t* scratch) const override {
+    permuted(values, order, count, scratch);
+  }
+  void copy(const double* from, double* to, Index count) const override {
+    for_each(space_, count, Copy<double>{from, to});
+  }
+
+ protected:
+  [[nodiscard]] const Space& space() const { return space_; }
+
+ private:
+  template <class T>
+  void permuted(T* values, const Index* order, Index count, T* scratch) const {
+    for_each(space_, count, Gather<T>{values, order, scratch});
+    for_each(space_, count, Copy<T>{scratch, values});
+  }
+
+  Space space_;
+};
+
+}  // namespace mesogen::exec

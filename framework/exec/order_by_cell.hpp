@@ -1,0 +1,18 @@
+#pragma once
+
+#include <cstdint>
+
+#include "mesogen/export.hpp"
+#include "mesogen/field/view.hpp"
+
+namespace mesogen::exec {
+
+/// On the host: place n takes what stood at order[n], by cell and by id within a cell. So the order of sums depends on
+/// positions alone.
+MESOGEN_EXPORT void order_by_cell(const Index* cell, const std::int64_t* id, Index count, int cells, Index* order);
+
+/// On the host: particles outside [0, box) along some axis, or nowhere; returns how many they are.
+MESOGEN_EXPORT Index find_outside(const double* const* position, const double* box, int dimension, Index count,
+                                  Index* found);
+
+}  // namespace mesogen::exec

@@ -1,0 +1,137 @@
+"""Runs on a CUDA device: that they agree with those on the host, and what is said where there is none.
+
+Where there is no device the code for it runs on the host (MESOGEN_CUDA_ON_HOST = 1): the same libraries, loops and
+order of work, but for memory and the start of kernels."""
+
+import json
+import os
+import pathlib
+import signal
+import subprocess
+import time
+import unittest
+
+import h5py
+import numpy
+from support import CASE, MESOGEN, CommandTest
+
+LIBRARY = pathlib.Path(MESOGEN).parent.parent / "lib" / "libmesogen_cuda.so"
+BUILT = LIBRARY.exists()
+DEVICE = BUILT and os.path.exists("/dev/nvidia0")
+ON_CUDA = {} if DEVICE else {"MESOGEN_CUDA_ON_HOST": "1"}
+CUDA = ["--set", "run.device=cuda"]
+# Particles are sorted anew a few times, and leave the box.
+MOVING = CASE.replace("end = 0.1", "end = 3.0").replace("interval = 0.05", "interval = 1.0").replace(
+    'activity = 0.05', 'activity = 2.0').replace("[physics.flow]", '[velocity]\ntype = "uniform"\nvalue = [0.5, -0.3]\n'
+                                                 "[physics.flow]")
+SCENES = {
+    "copies": MOVING,
+    "wrapped": MOVING.replace("periodic_ghosts", "periodic_wrap"),
+    "walls": CASE.replace('boundary = "periodic_ghosts"', 'boundary = { type = "walls" }'),
+    "single precision": CASE.replace('"double"', '"single"'),
+    "Eulerian": CASE.replace("viscosity = 0.5", 'viscosity = 0.5\nmotion = "eulerian"'),
+    "pairs": CASE.replace("activity = 0.05", 'activity = 0.05\nform = "conservative"') +
+             '[physics.elastic]\ntype = "elastic_stress"\n',
+    "a flow that computes on the host": CASE.replace('"wcsph"', '"incompressible"'),
+    "half steps": CASE.replace("end = 0.1", 'end = 0.1\nscheme = "half_steps"'),
+}
+
+
+@unittest.skipUnless(BUILT, "Mesogen was built without CUDA")
+class OnCuda(CommandTest):
+    def on_cuda(self, *arguments, code=0):
+        return self.mesogen(*arguments, code=code, **ON_CUDA)
+
+    def fields(self, folder):
+        with h5py.File(self.path(folder, "results.h5"), "r") as file:
+            fluid = file["particles/fluid"]
+            return {name: numpy.asarray(fluid[name]["value"]) for name in ("position", "velocity", "order_tensor")}
+
+    def test_agrees_with_the_host(self):
+        for name, text in SCENES.items():
+            with self.subTest(name):
+                case = self.write_case(text)
+                self.mesogen("run", case, "--output", "host", "--overwrite")
+                _, err = self.on_cuda("run", case, "--output", "cuda", "--overwrite", *CUDA)
+                self.assertIn("computing on", err)
+                host, cuda = self.fields("host"), self.fields("cuda")
+                tolerance = 1e-3 if "single" in name else 1e-8
+                for field, values in host.items():
+                    self.assertTrue(numpy.isfinite(values).all())
+                    largest = numpy.abs(values).max()
+                    self.assertLess(numpy.abs(cuda[field] - values).max(), tolerance * largest, field)
+                    self.assertGreater(numpy.ptp(values[-1]), 0.0, field)
+
+    def test_tells_who_stays_on_the_host(self):
+        case = self.write_case(SCENES["a flow that computes on the host"])
+        _, err = self.on_cuda("run", case, *CUDA)
+        self.assertIn("physics.flow computes on the host, since 'incompressible' has no code for CUDA", err)
+        self.assertNotIn("physics.nematic computes on the host", err)
+
+    def test_auto_takes_the_device_where_all_have_code(self):
+        auto = ["--set", "run.device=auto", "--overwrite", "--output", "out"]
+        _, err = self.on_cuda("run", self.write_case(), *auto)
+        self.assertIn("computing on", err)
+        _, err = self.on_cuda("run", self.write_case(SCENES["a flow that computes on the host"]), *auto)
+        self.assertNotIn("computing on", err)
+
+    def test_resumes_to_the_same_bits(self):
+        case = self.write_case(MOVING.replace("end = 3.0", "end = 15.0"))
+        self.on_cuda("run", case, "--output", "whole", *CUDA)
+        whole = self.fields("whole")
+        process = subprocess.Popen([MESOGEN, "run", case, "--output", "parts", *CUDA], cwd=self.folder,
+                                   env=self.environment(**ON_CUDA), stderr=subprocess.DEVNULL)
+        self.addCleanup(process.kill)
+        while not os.path.exists(self.path("parts", "results.h5")):
+            time.sleep(0.01)
+        time.sleep(0.1)
+        process.send_signal(signal.SIGINT)
+        self.assertEqual(process.wait(timeout=60), 130)
+        _, err = self.on_cuda("resume", "parts")
+        self.assertIn("resuming from", err)
+        for field, values in self.fields("parts").items():
+            self.assertTrue((values == whole[field]).all(), field)
+
+    def test_contract_of_plugins(self):
+        for plugin in ("wcsph", "beris_edwards", "active_stress", "friction", "body_force"):
+            out, _ = self.on_cuda("plugin", "check", plugin)
+            self.assertIn("  ok      CUDA agrees with the CPU\n", out)
+        out, _ = self.on_cuda("plugin", "check", "incompressible")
+        self.assertIn("because this plugin has no library for CUDA\n", out)
+
+    def test_info_tells_who_has_code(self):
+        for plugin, cuda in (("wcsph", True), ("incompressible", False)):
+            out, _ = self.mesogen("plugin", "info", plugin)
+            self.assertEqual("; another for CUDA)" in out, cuda)
+            out, _ = self.mesogen("plugin", "info", plugin, "--json")
+            self.assertEqual(json.loads(out)["cuda"], cuda)
+
+    def test_replay_needs_no_device(self):
+        self.on_cuda("run", self.write_case(), "--output", "out", *CUDA)
+        self.mesogen("replay", "out", "--output", "again.h5")
+        self.assertTrue(os.path.exists(self.path("again.h5")))
+
+    @unittest.skipIf(DEVICE, "there is a CUDA device here")
+    def test_no_device(self):
+        _, err = self.mesogen("run", self.write_case(), *CUDA, code=2)
+        self.assertRegex(err, r"run\.device: there is no CUDA device here \(.+\); take \"cpu\", or \"auto\" for CUDA "
+                              r"where that can be")
+        self.assertFalse(os.path.exists(self.path("output")))
+        _, err = self.mesogen("run", self.write_case(), "--set", "run.device=auto")
+        self.assertNotIn("computing on", err)
+
+
+class WithoutCuda(CommandTest):
+    @unittest.skipIf(BUILT, "Mesogen was built with CUDA")
+    def test_not_built(self):
+        _, err = self.mesogen("run", self.write_case(), *CUDA, code=2)
+        self.assertIn('run.device: this Mesogen was built without CUDA: build it where nvcc (12 or later) is found; take '
+                      '"cpu", or "auto" for CUDA where that can be', err)
+
+    def test_another_word(self):
+        _, err = self.mesogen("run", self.write_case(), "--set", "run.device=gpu", code=2)
+        self.assertIn('run.device: must be one of: cpu, cuda, auto, but is "gpu"', err)
+
+
+if __name__ == "__main__":
+    unittest.main()

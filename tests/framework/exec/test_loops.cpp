@@ -1,0 +1,155 @@
+// The framework's own loops, as the host runs them; a device is compared with the host by tests/command/test_device.py
+// and tests/device.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <random>
+#include <vector>
+
+#include "domain/cell_grid.hpp"
+#include "exec/backend.hpp"
+
+namespace {
+
+using namespace mesogen;
+
+double found(exec::Finding finding) {
+  Backend::host().collect();
+  return Backend::host().found(finding);
+}
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+class Wrapped final : public Boundary {
+ public:
+  bool wraps(int) const override { return true; }
+  void keep_inside(const Scene&, double*, std::int32_t*) const override {}
+};
+
+TEST(Loops, AdvanceInDoubleAndRoundForPasses) {
+  const std::vector<double> from{1.0, 2.0, 3.0, 4.0};  // two components of two particles
+  const std::vector<float> rate{0.5F, -1.0F, 0.25F, 2.0F};
+  std::vector<double> exact(4);
+  std::vector<float> rounded(4);
+  const auto largest = Backend::host().loops<float>().advance(
+      {{from.data(), 2}, {rate.data(), 2}, 0.1, {exact.data(), 2}, {rounded.data(), 2}, 2}, 2);
+  for (std::size_t n = 0; n < 4; ++n) {
+    EXPECT_DOUBLE_EQ(exact[n], from[n] + 0.1 * static_cast<double>(rate[n]));
+    EXPECT_EQ(rounded[n], static_cast<float>(exact[n]));
+  }
+  EXPECT_DOUBLE_EQ(found(largest), exact[1] * exact[1] + exact[3] * exact[3]);
+  EXPECT_DOUBLE_EQ(found(largest.next()), 5.0);
+}
+
+TEST(Loops, WhatIsNotANumberIsInfinitelyLarge) {
+  const auto& loops = Backend::host().loops<double>();
+  const auto largest = [&](const std::vector<double>& x) {
+    return found(loops.largest_square({x.data(), 300}, 1, 300));
+  };
+  const auto outside = [&](const std::vector<double>& x) {
+    return found(loops.is_outside({x.data(), 300}, 1, 300, 0.0, 10.0));
+  };
+  for (const double bad : {nan, HUGE_VAL, -HUGE_VAL, 1e200}) {
+    std::vector<double> values(300, 1.0);
+    for (const std::size_t place : {0U, 150U, 299U}) {
+      auto some = values;
+      some[place] = bad;
+      EXPECT_EQ(largest(some), HUGE_VAL) << bad;
+      EXPECT_GT(outside(some), 0.0) << bad;
+    }
+    EXPECT_EQ(largest(values), 1.0);
+    EXPECT_EQ(outside(values), 0.0);
+  }
+}
+
+TEST(Loops, BoundsOfAVectorAreThoseOfItsLength) {
+  const std::vector<float> values{0.6F, 3.0F, 0.8F, 4.0F};  // of lengths 1 and 5
+  const auto outside = [&](double lowest, double highest) {
+    return found(Backend::host().loops<float>().is_outside({values.data(), 2}, 2, 2, lowest, highest)) > 0.0;
+  };
+  EXPECT_FALSE(outside(0.9, 5.1));
+  EXPECT_TRUE(outside(0.9, 4.9));
+  EXPECT_TRUE(outside(1.1, 5.1));
+}
+
+TEST(Loops, MoveTellsOfAParticleThatIsNowhere) {
+  std::vector<double> x{1.0, 2.0};
+  const std::vector<double> velocity{0.5, -0.5};
+  const std::vector<double> shift{0.0, 8.0};
+  exec::Moving<double> moving{};
+  moving.position[0] = x.data();
+  moving.velocity = {velocity.data(), 2};
+  moving.by = 2.0;
+  moving.shift = {shift.data(), 2};
+  moving.shift_by = 0.25;
+  moving.dimension = 1;
+  EXPECT_EQ(found(Backend::host().loops<double>().move(moving, 2)), 0.0);
+  EXPECT_EQ(x, (std::vector<double>{2.0, 3.0}));
+  moving.by = nan;
+  EXPECT_GT(found(Backend::host().loops<double>().move(moving, 2)), 0.0);
+}
+
+TEST(Loops, CopiesGoByTheirRules) {
+  std::vector<double> values{1.0, 2.0, 0.0, 0.0, 10.0, 20.0, 0.0, 0.0};  // 2 particles, 2 copies, 2 components
+  const std::vector<Index> source{1, 0};
+  const FieldView<double> field{values.data(), 4};
+  Backend::host().loops<double>().carry_over(field, 2, 2, source.data(), 2, nullptr);
+  EXPECT_EQ(values, (std::vector<double>{1.0, 2.0, 2.0, 1.0, 10.0, 20.0, 20.0, 10.0}));
+  const std::vector<Extension> rules{{1.0, 0.5}, {-1.0, 0.0}, {1.0, -0.5}, {-1.0, 0.0}};
+  Backend::host().loops<double>().carry_over(field, 2, 2, source.data(), 2, rules.data());
+  EXPECT_EQ(values, (std::vector<double>{1.0, 2.0, 2.5, 0.5, 10.0, 20.0, -20.0, -10.0}));
+}
+
+TEST(CellLoops, OrderAndRangesAgree) {
+  Scene scene;
+  scene.box = {3.0, 2.0, 0.0};
+  const CellGrid grid(scene, Wrapped(), 0.4);
+  std::mt19937_64 random(3);
+  std::array<std::vector<double>, 2> position;
+  std::vector<std::int64_t> id;
+  constexpr Index count = 400;
+  for (Index i = 0; i < count; ++i) {
+    // Half of the box stays empty, so that cells without particles lie before, between and behind.
+    position[0].push_back(0.5 + 1.5 * std::generate_canonical<double, 53>(random));
+    position[1].push_back(0.7 + 0.8 * std::generate_canonical<double, 53>(random));
+    id.push_back((i * 7) % count);
+  }
+  const double* const at[3] = {position[0].data(), position[1].data(), nullptr};
+  const exec::CellLoops& loops = Backend::host().cells();
+  std::vector<Index> cell(count);
+  loops.find_cells(grid, at, count, cell.data());
+  std::vector<Index> order(count);
+  loops.order(cell.data(), id.data(), count, grid.inside_count(), order.data());
+  for (std::size_t n = 1; n < count; ++n) {
+    const auto a = static_cast<std::size_t>(order[n - 1]);
+    const auto b = static_cast<std::size_t>(order[n]);
+    EXPECT_LT(std::pair(cell[a], id[a]), std::pair(cell[b], id[b]));
+  }
+  std::vector<Index> scratch(count);
+  loops.permute(cell.data(), order.data(), count, scratch.data());
+  std::vector<Index> begin(static_cast<std::size_t>(grid.padded_count()), -1);
+  std::vector<Index> end(static_cast<std::size_t>(grid.padded_count()), -1);
+  loops.find_ranges(grid, cell.data(), count, begin.data(), end.data());
+  Index next = 0;
+  for (int c = 0; c < grid.inside_count(); ++c) {
+    const auto index = static_cast<std::size_t>(grid.padded_index(grid.inside(c)));
+    EXPECT_EQ(begin[index], next);
+    while (next < count && cell[static_cast<std::size_t>(next)] == c) ++next;
+    EXPECT_EQ(end[index], next);
+  }
+  EXPECT_EQ(next, count);
+}
+
+TEST(CellLoops, FindWhoLeftTheBox) {
+  const std::vector<double> x{0.0, 0.5, 1.0, -1e-300, nan, 0.9};
+  const std::vector<double> y{0.0, 2.5, 0.0, 0.5, 0.5, 1.9};
+  const double* const at[3] = {x.data(), y.data(), nullptr};
+  const double box[3] = {1.0, 2.0, 0.0};
+  std::vector<Index> found(6);
+  found.resize(static_cast<std::size_t>(Backend::host().cells().find_outside(at, box, 2, 6, found.data())));
+  EXPECT_EQ(found, (std::vector<Index>{1, 2, 3, 4}));
+}
+
+}  // namespace
