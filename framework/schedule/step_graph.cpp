@@ -41,6 +41,7 @@ StepGraph::StepGraph(const Catalogue& catalogue, const std::vector<Member>& memb
       work.plugin = member.plugin;
       work.pass = pass;
       work.for_observer.assign(readers.size(), false);
+      work.counter = {work.title(), "plugin"};
       works_.push_back(std::move(work));
     }
     if (member.passes->transport().velocity.empty()) continue;
@@ -88,6 +89,7 @@ void StepGraph::add_advection() {
     work.owner = "framework";
     work.pass = advection_pass(entry.declaration, transport_);
     work.for_observer.assign(readers_.size(), false);
+    work.counter = {work.title()};
     works_.push_back(std::move(work));
   }
 }

@@ -1,7 +1,5 @@
 #include "schedule/world.hpp"
 
-#include <chrono>
-
 namespace mesogen {
 
 World::World(Scene scene_of_run, sph::SmoothingKernel kernel_of_run, const Boundary& boundary_of_run, Particles all)
@@ -34,11 +32,13 @@ void World::resize_fields() {
 void World::settle() {
   if (!moved_) return;
   moved_ = false;
+  const Span span(sorting_, trace);
   const std::vector<Index>* order = neighbourhood.update(particles);
   if (order != nullptr) permute_fields(*order);
 }
 
 void World::reorder() {
+  const Span span(sorting_, trace);
   permute_fields(neighbourhood.reorder(particles));
   moved_ = true;
 }
@@ -71,7 +71,7 @@ void World::refresh_outside(Field& field) {
   // Where particles moved, other ones stand before the wall; a copy's values are its source's wherever that is.
   const std::uint64_t positions = walls ? neighbourhood.version() : 0;
   if (field.refreshed == field.version && field.refreshed_at == positions) return;
-  const auto start = std::chrono::steady_clock::now();
+  const Span span(refreshing_, trace);
   if (walls) {
     walls_.refresh(neighbourhood, scene, kernel, boundary, field);
   } else if (single()) {
@@ -81,8 +81,6 @@ void World::refresh_outside(Field& field) {
   }
   field.refreshed = field.version;
   field.refreshed_at = positions;
-  ++refreshes_;
-  refresh_seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
 }  // namespace mesogen

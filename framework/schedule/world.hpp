@@ -1,7 +1,9 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
+#include "diagnostics/trace.hpp"
 #include "domain/neighbourhood.hpp"
 #include "domain/particles.hpp"
 #include "domain/wall_values.hpp"
@@ -29,6 +31,7 @@ class MESOGEN_EXPORT World {
   double time = 0.0;       ///< s
   double step_size = 0.0;  ///< s; 0 when rates are evaluated without a step
   std::int64_t step = 0;   ///< steps done
+  Trace* trace = nullptr;  ///< of what is done here, if one is asked for; must outlive that
 
   [[nodiscard]] bool single() const { return scene.precision == Precision::single_precision; }
 
@@ -57,9 +60,8 @@ class MESOGEN_EXPORT World {
   void restore_order(std::array<std::vector<double>, 3> sorted_position);
   /// Brings what a field is beyond the faces up to date, at copies or dummies, if it is not.
   void refresh_outside(Field& field);
-  /// How often, and how long in all, s.
-  [[nodiscard]] std::int64_t refreshes() const { return refreshes_; }
-  [[nodiscard]] double refresh_seconds() const { return refresh_seconds_; }
+  /// What the work of this class took.
+  [[nodiscard]] std::vector<Counter> counters() const { return {sorting_, refreshing_}; }
 
  private:
   void resize_fields();
@@ -68,8 +70,8 @@ class MESOGEN_EXPORT World {
   std::uint64_t positions_version_ = 1;
   Field::Scratch scratch_;
   WallValues walls_;
-  std::int64_t refreshes_ = 0;
-  double refresh_seconds_ = 0.0;
+  Counter sorting_{"framework: neighbours, sorting"};
+  Counter refreshing_{"framework: values beyond the faces"};
 };
 
 }  // namespace mesogen
