@@ -3,29 +3,17 @@
 
 #include <benchmark/benchmark.h>
 
-#include <cmath>
-#include <memory>
-#include <numbers>
-#include <random>
-
-#include "domain/neighbourhood.hpp"
+#include "bed.hpp"
 #include "sph/passes/derivatives.hpp"
 
 namespace {
 
 using namespace mesogen;
-
-class Wrapped final : public Boundary {
- public:
-  bool wraps(int) const override { return true; }
-  void keep_inside(const Scene& scene, double* position, std::int32_t*) const override {
-    for (int d = 0; d < 2; ++d) position[d] -= scene.box[d] * std::floor(position[d] / scene.box[d]);
-  }
-};
+using bench::Bed;
 
 template <class Real>
 struct HardCodedQuintic {
-  Real inverse_length, value_scale, slope_scale;
+  Real inverse_length, slope_scale;
 
   template <class Lane>
   [[gnu::always_inline]] Lane derivative(const Lane& r) const {
@@ -41,78 +29,22 @@ struct HardCodedQuintic {
 };
 
 template <class Real>
-class Bed {
- public:
-  explicit Bed(int across) {
-    scene_.box = {1.0, 1.0, 0.0};
-    scene_.spacing = 1.0 / across;
-    scene_.precision = sizeof(Real) == 4 ? Precision::single_precision : Precision::double_precision;
-    const double h = scene_.spacing * 4.0 / 3.0;
-    kernel.shape.power = 5;
-    kernel.shape.pieces = {{3.0, {1.0}}, {2.0, {-6.0}}, {1.0, {15.0}}};
-    kernel.smoothing_length = h;
-    kernel.scale = 7.0 / (478.0 * std::numbers::pi) / (h * h);
-    hard_coded = {Real(1 / h), Real(kernel.scale), Real(-5 * kernel.scale / h)};
-    scene_.smoothing_length = h;
-    scene_.support = 3.0 * h;
-    std::mt19937_64 generator(7);
-    std::uniform_real_distribution<double> jitter(-0.2 * scene_.spacing, 0.2 * scene_.spacing);
-    for (int i = 0; i < across * across; ++i) {
-      particles_.id.push_back(i);
-      particles_.position[0].push_back((i % across + 0.5) * scene_.spacing + jitter(generator));
-      particles_.position[1].push_back((i / across + 0.5) * scene_.spacing + jitter(generator));
-      for (int d = 0; d < 2; ++d) particles_.images[d].push_back(0);
-    }
-    neighbourhood_ = std::make_unique<Neighbourhood>(scene_, boundary_);
-    neighbourhood_->update(particles_);
-    neighbourhood_->fill(neighbours);
-    const auto stored = static_cast<std::ptrdiff_t>(across) * across + 16;
-    values_.assign(static_cast<std::size_t>(stored) * 18, Real(0));
-    Real* next = values_.data();
-    const auto take = [&](int components) {
-      Real* const from = next;
-      next += components * stored;
-      return from;
-    };
-    Real* const volume = take(1);
-    std::fill_n(volume, stored, Real(scene_.spacing * scene_.spacing));
-    wanted.volume = {volume, stored};
-    wanted.count = 4;
-    for (int n = 0; n < 4; ++n) {
-      Real* const source = take(1);
-      for (int i = 0; i < across * across; ++i)
-        source[i] = Real(std::sin((n + 1) * 6.28 * particles_.position[n % 2][static_cast<std::size_t>(i)]));
-      wanted.source[n] = source;
-      for (int d = 0; d < 2; ++d) wanted.gradient[n][d] = take(1);
-      wanted.laplacian[n] = take(1);
-    }
-  }
-
-  sph::SmoothingKernel kernel;
-  HardCodedQuintic<Real> hard_coded{};
-  Neighbours<Real, 2> neighbours{};
-  sph::Derivatives<Real, 2> wanted{};
-
- private:
-  Scene scene_;
-  Wrapped boundary_;
-  Particles particles_;
-  std::unique_ptr<Neighbourhood> neighbourhood_;
-  std::vector<Real> values_;
-};
-
-template <class Real>
 void chosen_at_run_time(benchmark::State& state) {
-  Bed<Real> bed(500);
-  for (auto _ : state)
-    sph::pair_sum<Real, 2>({}, bed.neighbours, bed.kernel, sph::DerivativePass<Real, 2, 4>{bed.wanted});
+  Bed<Real> bed("quintic", 500);
+  const auto wanted = bed.derivatives(4, true);
+  for (auto _ : state) sph::run_derivatives<Real, 2>({}, bed.neighbours, bed.kernel_of_run(), wanted);
 }
 
 template <class Real>
 void hard_coded(benchmark::State& state) {
-  Bed<Real> bed(500);
-  for (auto _ : state)
-    sph::pair_sum_with<Real, 2>({}, bed.neighbours, bed.hard_coded, sph::DerivativePass<Real, 2, 4>{bed.wanted});
+  Bed<Real> bed("quintic", 500);
+  const auto wanted = bed.derivatives(4, true);
+  const auto& kernel = bed.kernel_of_run();
+  const double h = kernel.smoothing_length;
+  const HardCodedQuintic<Real> function{Real(1.0 / h), Real(-5.0 * kernel.scale / h)};
+  using Loop = sph::DerivativeLoop<Real, 2, 4, sph::ConsistentFit<Real>, HardCodedQuintic<Real>>;
+  const Loop loop({bed.neighbours, function}, {Real(h)}, wanted, bed.count());
+  for (auto _ : state) exec::for_each({}, (bed.count() + Loop::group - 1) / Loop::group, loop);
 }
 
 BENCHMARK(chosen_at_run_time<float>)->Unit(benchmark::kMillisecond)->UseRealTime();
