@@ -1,11 +1,12 @@
 #!/usr/bin/python3
-"""How fast is Mesogen? Every pass a pair, whole steps by size, threads, precision, boundary and kernel, PySPH beside it.
+"""How fast is Mesogen? Every pass by the pair, whole steps by size, threads and variant, PySPH beside it.
 
     bench/speed.py [--build build/release] [--quick] [--only passes runs ...] [-o docs/performance]
 
 Writes OUTPUT/speed.csv and puts the tables into OUTPUT.md, between its markers. The build needs the benchmarks
-(-DMESOGEN_BENCHMARKS=ON); without PySPH its rows are left out. Some 12 minutes on two free cores; --quick, one minute,
-tells whether all works and is too rough to be published. --tables makes the tables of a CSV that is there.
+(-DMESOGEN_BENCHMARKS=ON); without PySPH its rows are left out. Some 12 minutes on two free cores. --quick, one minute,
+tells whether all works and is too rough to be quoted; that and --only print their tables and write nothing. --tables
+makes the page's tables anew of the CSV that is there.
 """
 
 import argparse
@@ -15,12 +16,14 @@ import os
 import pathlib
 import sys
 
-from speed_runs import PROJECT, best_of, call, measure_passes, peer_seconds, run_paper, tell
-from speed_tables import Figure, markdown, put_into, read_csv, write_csv
+from speed_runs import PROJECT, best_of, call, instruction_set, measure_passes, peer_seconds, run_paper, tell
+from speed_tables import Figure, markdown, put_into, read_csv, row, write_csv
 
 KERNELS = ["quintic", "wendland_c2", "wendland_c4", "wendland_c6"]
-CORNERS = {"machine": "machine", "blocks": "precision", "passes": "pass", "kernels": "ns a pair", "sizes": "particles", "threads": "threads", "variants": "variant",
-           "shares": "part of a step", "peers": "program"}
+CORNERS = {"machine": "machine", "blocks": "precision", "passes": "pass", "kernels": "ns a pair",
+           "sizes": "particles", "threads": "threads", "variants": "variant", "shares": "part of a step", "peers": "program"}
+PRECISIONS = ["single", "double"]
+MACHINE = "machine of this run"
 BASE = "single precision, ghosts, quintic"
 VARIANTS = {
     BASE: [],
@@ -39,7 +42,8 @@ PEERS = {
     "PySPH TVF, its own h": (["--scheme", "tvf"], 27.3, 2),
 }
 # across, repetitions or rounds, and how many particle-steps a run takes.
-FULL = {"passes": (500, 3, 0.1), "sizes": ([100, 200, 500, 1000], 3, 4e6), "variants": (500, 3, 4e6), "peers": (100, 2, 2e6)}
+FULL = {"passes": (500, 3, 0.1), "sizes": ([100, 200, 500, 1000], 3, 4e6), "variants": (500, 3, 4e6),
+        "peers": (100, 2, 2e6)}
 QUICK = {"passes": (120, 1, 0.01), "sizes": ([60, 100], 1, 1e5), "variants": (100, 1, 1e5), "peers": (40, 1, 3e5)}
 
 
@@ -56,50 +60,46 @@ def millions_a_second(across, seconds):
 
 
 def passes(options, effort):
-    best, context = measure_passes(options.build / "bin/passes", *effort)
-    figures = []
-    peak = {}
-    for precision in ("single", "double"):
-        peak[precision] = best[f"machine: multiply, add/{precision}"]["operations_per_second"]
-        figures.append(Figure("machine", f"operations, {precision} precision", "a core can do", f"{1e-9 * peak[precision]:.3g} Gflop/s"))
+    best = measure_passes(options.build / f"bin/passes-{instruction_set()}", *effort)
+    peak = {precision: best[f"machine: multiply, add/{precision}"]["operations_per_second"] for precision in PRECISIONS}
+    figures = [Figure("machine", f"operations, {precision} precision", "a core can do",
+                      f"{1e-9 * peak[precision]:.3g} Gflop/s") for precision in PRECISIONS]
     bandwidth = best["machine: triad"]["bytes_per_second"]
-    figures.append(Figure("machine", "memory, read and written", "a core can do", f"{1e-9 * bandwidth:.3g} GB/s"))
-    names = list(dict.fromkeys(name.split("/")[0] for name in best if not name.startswith("machine")))
-    for name in sorted(names, key=lambda name: best[f"{name}/quintic/single"]["pairs_per_second"], reverse=True):
-        base = best[f"{name}/quintic/single"]
-        figures.append(Figure("passes", name, "flop a pair", base["operations_a_pair"]))
-        for precision in ("single", "double"):
+    figures += row("machine", "memory, read and written", {"a core can do": f"{1e-9 * bandwidth:.3g} GB/s"})
+    names = {name.split("/")[0] for name in best if not name.startswith("machine")}
+    for name in sorted(names, key=lambda name: (best[f"{name}/quintic/single"]["operations_a_pair"], name)):
+        columns = {"flop a pair": best[f"{name}/quintic/single"]["operations_a_pair"]}
+        for precision in PRECISIONS:
             one = best[f"{name}/quintic/{precision}"]
-            figures.append(Figure("passes", name, f"ns a pair, {precision}", 1e9 / one["pairs_per_second"]))
-            figures.append(Figure("passes", name, f"% of peak, {precision}", 100 * one["operations_per_second"] / peak[precision]))
-        for precision in ("single", "double"):
-            for kernel in KERNELS:
-                figures.append(Figure("kernels", name, f"{kernel.replace('wendland_c', 'C')}, {precision}",
-                                      1e9 / best[f"{name}/{kernel}/{precision}"]["pairs_per_second"]))
-    for precision in ("single", "double"):
+            columns[f"ns a pair, {precision}"] = 1e9 / one["pairs_per_second"]
+            columns[f"% of peak, {precision}"] = 100 * one["operations_per_second"] / peak[precision]
+        figures += row("passes", name, columns)
+        figures += row("kernels", name, {f"{kernel.replace('wendland_c', 'C')}, {precision}":
+                                         1e9 / best[f"{name}/{kernel}/{precision}"]["pairs_per_second"]
+                                         for precision in PRECISIONS for kernel in KERNELS})
+    for precision in PRECISIONS:
         some = best[f"volume/quintic/{precision}"]
-        figures += [Figure("blocks", precision, "neighbours a particle", some["neighbours"]),
-                    Figure("blocks", precision, "blocks that hold them", some["blocks"]),
-                    Figure("blocks", precision, "lanes computed a neighbour", some["lanes_a_pair"])]
-    options.instruction_set = context["instruction_set"]
+        figures += row("blocks", precision, {"neighbours a particle": some["neighbours"],
+                                             "blocks that hold them": some["blocks"],
+                                             "lanes computed a neighbour": some["lanes_a_pair"]})
     return figures
 
 
 def sizes(options, effort):
     across, rounds, budget = effort
     figures = []
-    for threads in sorted({1, core_count()}):
-        variants = {f"{n * n:,}": (options.mesogen, n, steps_for(budget, n), threads, []) for n in across}
-        tell(f"sizes, {threads} threads")
-        least = None
-        for n, (name, run) in zip(across, best_of(rounds, variants, run_paper).items()):
-            least = least or run.step / n**2
-            label = f"{threads} thread{'s' if threads > 1 else ''}"
-            figures += [Figure("sizes", name, f"ms a step, {label}", 1e3 * run.step),
-                        Figure("sizes", name, f"million particle-steps/s, {label}", millions_a_second(n, run.step)),
-                        Figure("sizes", name, f"a particle over the first, {label}", run.step / n**2 / least)]
-            if threads == core_count():
-                figures.append(Figure("sizes", name, "ms a sorting", 1e3 * run.sorting))
+    for count in sorted({1, core_count()}):
+        variants = {f"{n * n:,}": (options.mesogen, n, steps_for(budget, n), count, []) for n in across}
+        tell(f"sizes, {count} threads")
+        best = best_of(rounds, variants, run_paper)
+        label = f"{count} thread{'s' if count > 1 else ''}"
+        least = best[f"{across[0]**2:,}"].step / across[0]**2
+        for n, (name, run) in zip(across, best.items()):
+            figures += row("sizes", name, {f"ms a step, {label}": 1e3 * run.step,
+                                           f"million particle-steps/s, {label}": millions_a_second(n, run.step),
+                                           f"a particle over the first, {label}": run.step / n**2 / least})
+            if count == core_count():
+                figures += row("sizes", name, {"ms a sorting": 1e3 * run.sorting})
     return figures
 
 
@@ -112,12 +112,11 @@ def threads(options, effort):
     figures = []
     for name, run in best.items():
         speedup = best["1"].step / run.step
-        figures += [Figure("threads", name, "ms a step", 1e3 * run.step), Figure("threads", name, "times as fast", speedup),
-                    Figure("threads", name, "efficiency, %", 100 * speedup / int(name))]
+        figures += row("threads", name, {"ms a step": 1e3 * run.step, "times as fast": speedup,
+                                         "efficiency, %": 100 * speedup / int(name)})
     alone = best["1"]
     for name, seconds in sorted(alone.shares.items(), key=lambda share: -share[1]):
-        figures += [Figure("shares", name, "ms a step", 1e3 * seconds),
-                    Figure("shares", name, "%", 100 * seconds / sum(alone.shares.values()))]
+        figures += row("shares", name, {"ms a step": 1e3 * seconds, "%": 100 * seconds / sum(alone.shares.values())})
     return figures
 
 
@@ -129,8 +128,7 @@ def variants(options, effort):
     best = best_of(rounds, chosen, run_paper)
     figures = []
     for name, run in best.items():
-        figures += [Figure("variants", name, "ms a step", 1e3 * run.step),
-                    Figure("variants", name, "over the first", run.step / best[BASE].step)]
+        figures += row("variants", name, {"ms a step": 1e3 * run.step, "over the first": run.step / best[BASE].step})
     return figures
 
 
@@ -148,9 +146,9 @@ def peers(options, effort):
     figures = []
     for name, (_, neighbours, loops) in chosen.items():
         rate = millions_a_second(across, least[name])
-        figures += [Figure("peers", name, "neighbours", neighbours), Figure("peers", name, "loops a step", float(loops)),
-                    Figure("peers", name, "million particle-steps/s", rate),
-                    Figure("peers", name, "million interactions/s", rate * neighbours * loops)]
+        figures += row("peers", name, {"neighbours": neighbours, "loops a step": loops,
+                                       "million particle-steps/s": rate,
+                                       "million interactions/s": rate * neighbours * loops})
     return figures
 
 
@@ -159,8 +157,16 @@ def machine(options):
     with open("/proc/cpuinfo", encoding="utf-8") as file:
         names = [line.split(":")[1].strip() for line in file if line.startswith("model name")]
     return (f"{names[0] if names else 'unknown processor'}, {core_count()} cores, instruction set "
-            f"{options.instruction_set}; {call([options.mesogen, '--version'], None).strip()}; "
+            f"{instruction_set()}; {call([options.mesogen, '--version'], None).strip()}; "
             f"{datetime.date.today().isoformat()}")
+
+
+def tables(figures):
+    """All tables of the page, by name, as Markdown."""
+    blocks = {name: markdown(figures, name, corner) for name, corner in CORNERS.items()
+              if any(figure.table == name for figure in figures)}
+    blocks[MACHINE] = next(figure.value for figure in figures if figure.table == MACHINE)
+    return blocks
 
 
 MEASURES = {"passes": (passes, "passes"), "sizes": (sizes, "sizes"), "threads": (threads, "variants"),
@@ -176,32 +182,25 @@ def main():
     parser.add_argument("-o", "--output", default=PROJECT / "docs/performance", type=pathlib.Path)
     options = parser.parse_args()
     options.mesogen = (options.build / "bin/mesogen").resolve()
-    options.instruction_set = "unknown"
     file, page = options.output / "speed.csv", options.output.with_suffix(".md")
     if options.tables:
         figures = read_csv(file)
     else:
         load = os.getloadavg()[0]
         if load > 0.5:
-            tell(f"warning: the machine is busy, its load is {load:.1f}: figures of passes and threads will be too slow")
+            tell(f"warning: the machine is busy, its load is {load:.1f}: figures will be too slow")
         figures = []
         for name in options.only:
             measure, effort = MEASURES[name]
             figures += measure(options, (QUICK if options.quick else FULL)[effort])
-        figures.append(Figure("machine of this run", "machine", "", machine(options)))
-    blocks = {name: markdown(figures, name, corner) for name, corner in CORNERS.items()
-              if any(figure.table == name for figure in figures)}
-    blocks["machine of this run"] = figures[-1].value + "."
-    if options.quick:
+        figures += row(MACHINE, "machine", {"": machine(options) + "."})
+    blocks = tables(figures)
+    if options.quick or options.only != list(MEASURES):
         for name, block in blocks.items():
             print(f"{name}\n\n{block}\n")
         return
-    if not options.tables:
-        file.parent.mkdir(parents=True, exist_ok=True)
-        # What was not measured this time stays as it was.
-        before = read_csv(file)[:-1] if file.exists() else []
-        measured = {figure.table for figure in figures}
-        write_csv(file, [*(figure for figure in before if figure.table not in measured), *figures])
+    file.parent.mkdir(parents=True, exist_ok=True)
+    write_csv(file, figures)
     page.write_text(put_into(page.read_text(encoding="utf-8"), blocks), encoding="utf-8")
     print(f"{file}, {page}")
 

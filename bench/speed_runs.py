@@ -50,6 +50,12 @@ class Run:
         self.sorting = 1e-6 * max(orderings)
 
 
+def instruction_set():
+    """What the plugin loader would pick of the sets that plugins are built for."""
+    with open("/proc/cpuinfo", encoding="utf-8") as file:
+        return "x86-64-v4" if "avx512vl" in file.read() else "x86-64-v3"
+
+
 def paper_case():
     """The paper's scene without its observers: only what a step takes is of interest."""
     text = (PROJECT / "cases/active_turbulence/paper.toml").read_text(encoding="utf-8")
@@ -62,7 +68,8 @@ def run_paper(mesogen, across, steps, threads, settings):
     with tempfile.TemporaryDirectory(prefix="mesogen-") as folder:
         folder = pathlib.Path(folder)
         (folder / "case.toml").write_text(paper_case(), encoding="utf-8")
-        command = [mesogen, "run", "case.toml", "--quiet", "--output", "out", "--trace", "trace.json", "--threads", threads]
+        command = [mesogen, "run", "case.toml", "--quiet", "--output", "out", "--trace", "trace.json", "--threads",
+                   threads]
         for setting in (f"domain.size=[{edge}, {edge}]", f"time.step={STEP}", f"time.end={(SKIPPED + steps) * STEP}",
                         *settings):
             command += ["--set", setting]
@@ -83,7 +90,7 @@ def best_of(rounds, variants, measure):
 
 
 def measure_passes(program, across, repetitions, seconds):
-    """What Google Benchmark counted, the best of the repetitions: {name: counters}, and its context."""
+    """What Google Benchmark counted, the best of the repetitions: {name: counters}."""
     told = json.loads(call([program, f"--across={across}", "--benchmark_format=json", f"--benchmark_min_time={seconds}",
                             f"--benchmark_repetitions={repetitions}", "--benchmark_enable_random_interleaving=true"],
                            None, OMP_NUM_THREADS="1"))
@@ -92,7 +99,7 @@ def measure_passes(program, across, repetitions, seconds):
         name = one["run_name"].removesuffix("/real_time")
         if one["run_type"] == "iteration" and (name not in best or one["real_time"] < best[name]["real_time"]):
             best[name] = one
-    return best, told["context"]
+    return best
 
 
 def peer_seconds(mesogen, across, steps, name, arguments):

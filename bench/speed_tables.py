@@ -18,6 +18,11 @@ class Figure(typing.NamedTuple):
     value: typing.Union[float, str]
 
 
+def row(table, name, columns):
+    """Figures of one row: {column: value}."""
+    return [Figure(table, name, column, value) for column, value in columns.items()]
+
+
 def number_text(value):
     """Three digits, or the text itself."""
     if isinstance(value, str):
@@ -41,7 +46,7 @@ def markdown(figures, table, corner):
 def write_csv(file, figures):
     with open(file, "w", newline="", encoding="utf-8") as out:
         csv.writer(out, lineterminator="\n").writerows(
-            [COLUMNS, *([*figure[:3], f"{figure.value:.6g}" if isinstance(figure.value, float) else figure.value]
+            [COLUMNS, *([*figure[:3], figure.value if isinstance(figure.value, str) else f"{figure.value:.6g}"]
                         for figure in figures)])
 
 

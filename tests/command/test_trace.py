@@ -49,8 +49,9 @@ class TraceOption(CommandTest):
     def test_passes_lie_within_steps(self):
         self.mesogen("run", self.write_case(), "--output", "out", "--trace", "trace.json")
         events = self.events()
-        first, *_ = steps = [event for event in events if event["name"] == "framework: step"]
-        after = [event for event in events if event["name"] == "physics.activity: active stress" and event["ts"] > first["ts"]]
+        steps = [event for event in events if event["name"] == "framework: step"]
+        after = [event for event in events
+                 if event["name"] == "physics.activity: active stress" and event["ts"] > steps[0]["ts"]]
         self.assertEqual(len(after), len(steps))
         for step, event in zip(steps, after):
             self.assertTrue(step["ts"] <= event["ts"] <= step["ts"] + step["dur"])
@@ -59,13 +60,15 @@ class TraceOption(CommandTest):
         case = self.write_case()
         self.mesogen("run", case, "--output", "plain")
         self.mesogen("run", case, "--output", "traced", "--trace", "trace.json")
-        self.assertTrue(filecmp.cmp(*(self.path(folder, "checkpoint_a.h5") for folder in ("plain", "traced")), shallow=False))
+        files = [self.path(folder, "checkpoint_a.h5") for folder in ("plain", "traced")]
+        self.assertTrue(filecmp.cmp(*files, shallow=False))
 
     def test_the_folder_of_the_run_may_hold_it_and_it_replaces_a_trace(self):
         case = self.write_case()
         self.mesogen("run", case, "--output", "out", "--trace", "out/trace.json")
         first = len(self.events("out/trace.json"))
-        self.mesogen("run", case, "--output", "out", "--overwrite", "--trace", "out/trace.json", "--set", "time.end=0.05")
+        self.mesogen("run", case, "--output", "out", "--overwrite", "--trace", "out/trace.json",
+                     "--set", "time.end=0.05")
         self.assertTrue(0 < len(self.events("out/trace.json")) < first)
 
     def test_an_interrupted_run_and_its_resumption(self):
