@@ -21,7 +21,8 @@ from speed_tables import Figure, markdown, put_into, read_csv, row, write_csv
 
 KERNELS = ["quintic", "wendland_c2", "wendland_c4", "wendland_c6"]
 CORNERS = {"machine": "machine", "blocks": "precision", "passes": "pass", "kernels": "ns a pair",
-           "sizes": "particles", "threads": "threads", "variants": "variant", "shares": "part of a step", "peers": "program"}
+           "sizes": "particles", "threads": "threads", "variants": "variant", "shares": "part of a step",
+           "peers": "program"}
 PRECISIONS = ["single", "double"]
 MACHINE = "machine of this run"
 BASE = "single precision, ghosts, quintic"

@@ -31,7 +31,8 @@ class Tables(unittest.TestCase):
     def test_a_page_takes_tables_between_its_markers(self):
         page = "before\n<!-- measured: a -->\nold\n<!-- end -->\nbetween\n<!-- measured: b -->\n<!-- end -->\n"
         self.assertEqual(put_into(page, {"a": "new", "b": r"\1"}),
-                         "before\n<!-- measured: a -->\nnew\n<!-- end -->\nbetween\n<!-- measured: b -->\n\\1\n<!-- end -->\n")
+                         "before\n<!-- measured: a -->\nnew\n<!-- end -->\n"
+                         "between\n<!-- measured: b -->\n\\1\n<!-- end -->\n")
 
     def test_a_page_without_the_marker_is_refused(self):
         with self.assertRaisesRegex(ValueError, "the page has 0 places for the table 'a': it needs one, <!-- meas"):
