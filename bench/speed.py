@@ -23,6 +23,7 @@ KERNELS = ["quintic", "wendland_c2", "wendland_c4", "wendland_c6"]
 CORNERS = {"machine": "machine", "blocks": "precision", "passes": "pass", "kernels": "ns a pair",
            "sizes": "particles", "threads": "threads", "variants": "variant", "shares": "part of a step",
            "peers": "program"}
+MOST_LOAD = 0.5  # of the machine before measuring; what is left of a build some minutes ago is below
 PRECISIONS = ["single", "double"]
 MACHINE = "machine of this run"
 BASE = "single precision, ghosts, quintic"
@@ -153,13 +154,14 @@ def peers(options, effort):
     return figures
 
 
-def machine(options):
-    """Where and when it was measured, in a sentence."""
+def machine(options, load):
+    """Where and when it was measured, and whether that can be relied on, in a sentence. `load`: before it began."""
     with open("/proc/cpuinfo", encoding="utf-8") as file:
         names = [line.split(":")[1].strip() for line in file if line.startswith("model name")]
     return (f"{names[0] if names else 'unknown processor'}, {core_count()} cores, instruction set "
             f"{instruction_set()}; {call([options.mesogen, '--version'], None).strip()}; "
-            f"{datetime.date.today().isoformat()}")
+            f"{datetime.date.today().isoformat()}" +
+            (f"; **the machine was busy (load {load:.1f}): rough**" if load > MOST_LOAD else ""))
 
 
 def tables(figures):
@@ -188,13 +190,13 @@ def main():
         figures = read_csv(file)
     else:
         load = os.getloadavg()[0]
-        if load > 0.5:
+        if load > MOST_LOAD:
             tell(f"warning: the machine is busy, its load is {load:.1f}: figures will be too slow")
         figures = []
         for name in options.only:
             measure, effort = MEASURES[name]
             figures += measure(options, (QUICK if options.quick else FULL)[effort])
-        figures += row(MACHINE, "machine", {"": machine(options) + "."})
+        figures += row(MACHINE, "machine", {"": machine(options, load) + "."})
     blocks = tables(figures)
     if options.quick or options.only != list(MEASURES):
         for name, block in blocks.items():
