@@ -51,6 +51,10 @@ void add_threads(CLI::App& verb, RunningOptions& options) {
 void add_running(CLI::App& verb, RunningOptions& options) {
   add_threads(verb, options);
   verb.add_flag("--profile", options.profile, "Tell at the end where the time went");
+  verb.add_option(
+          "--trace", options.trace,
+          "Write when each pass, sample, frame and checkpoint ran: JSON that Perfetto and chrome://tracing open")
+      ->type_name("FILE");
 }
 
 void use_threads(const RunningOptions& options) {

@@ -40,6 +40,7 @@ struct RunningOptions {
   int threads = 0;  ///< 0: as OpenMP decides
   bool quiet = false;
   bool profile = false;
+  std::string trace;  ///< empty: none
 };
 
 void add_running(CLI::App& verb, RunningOptions& options);

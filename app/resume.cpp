@@ -22,6 +22,7 @@ ExitCode resume(const Options& options) {
   RunOptions run;
   run.folder = options.folder;
   run.profile = options.running.profile;
+  run.trace = options.running.trace;
   run.stop = &stop_on_signal();
   Log log(options.running.quiet);
   Progress progress(std::cerr, Progress::style_for(2, options.running.quiet));

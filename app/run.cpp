@@ -33,6 +33,7 @@ ExitCode run(const Options& options) {
   run.folder = options.output.empty() ? default_folder(options.source.file) : std::filesystem::path(options.output);
   run.overwrite = options.overwrite;
   run.profile = options.running.profile;
+  run.trace = options.running.trace;
   run.stop = &stop_on_signal();
   Log log(options.running.quiet);
   Progress progress(std::cerr, Progress::style_for(2, options.running.quiet));

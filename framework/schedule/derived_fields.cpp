@@ -1,7 +1,6 @@
 #include "schedule/derived_fields.hpp"
 
 #include <algorithm>
-#include <chrono>
 
 #include "schedule/derived_name.hpp"
 #include "sph/fixed_weights.hpp"
@@ -41,7 +40,7 @@ DerivedFields::DerivedFields(World& world, const Catalogue& catalogue, const std
   world_.add_field("volume", 1, false);
   PairPass volume;
   volume.volume = true;
-  volume.counter.title = "volume";
+  volume.counter.title = "framework: volume";
   passes_.push_back(std::move(volume));
   pass_of_["volume"] = {0};
   for (const std::string& field : all)
@@ -104,7 +103,8 @@ void DerivedFields::add_passes(const Wanted& wanted, bool correction, bool at_ea
     const bool on_host = world_.backend.device().empty();
     if (on_host && at_each_step && !form_.particles_move && !pass.components.empty())
       pass.weights = std::make_unique<Weights>();
-    pass.finding.title = "weights of " + pass.counter.title;
+    pass.finding.title = "framework: weights of " + pass.counter.title;
+    pass.counter.title.insert(0, "framework: ");
     passes_.push_back(std::move(pass));
   }
 }
@@ -129,12 +129,13 @@ void DerivedFields::run(PairPass& pass) {
   if (!pass.volume) make("volume");
   if (!pass.volume) world_.refresh_outside(world_.fields.at("volume"));
   for (const Component& component : pass.components) world_.refresh_outside(*component.source);
-  const auto start = std::chrono::steady_clock::now();
+  const Span span(pass.counter, world_.trace);
   if (world_.single()) {
     run_pair_sums<float, 2>(pass);
   } else {
     run_pair_sums<double, 2>(pass);
   }
+  world_.end_of_work();
   pass.positions = world_.neighbourhood.version();
   for (std::size_t n = 0; n < pass.components.size(); ++n) {
     const Component& component = pass.components[n];
@@ -144,8 +145,6 @@ void DerivedFields::run(PairPass& pass) {
   }
   if (pass.correction != nullptr) ++pass.correction->version;
   if (pass.volume) ++world_.fields.at("volume").version;
-  ++pass.counter.runs;
-  pass.counter.seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
 template <class Real, int Dim>
@@ -176,15 +175,13 @@ void DerivedFields::run_pair_sums(PairPass& pass) {
   if (!pass.weights) return;
   auto& weights = pass.weights->of<Real>();
   if (new_positions) {
-    const auto start = std::chrono::steady_clock::now();
+    const Span span(pass.finding, world_.trace);
     sph::find_weights<Real, Dim>(neighbours, world_.kernel, wanted, weights);
-    ++pass.finding.runs;
-    pass.finding.seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   }
   sph::derivatives<Real, Dim>(exec::Space{}, neighbours, weights, wanted);
 }
 
-std::vector<DerivedFields::Counter> DerivedFields::counters() const {
+std::vector<Counter> DerivedFields::counters() const {
   std::vector<Counter> all;
   for (const PairPass& pass : passes_) {
     all.push_back(pass.counter);

@@ -33,11 +33,6 @@ class MESOGEN_EXPORT DerivedFields {
   /// Brings a derived field up to date.
   void make(const std::string& field);
 
-  struct Counter {
-    std::string title;
-    std::int64_t runs = 0;
-    double seconds = 0.0;
-  };
   [[nodiscard]] std::vector<Counter> counters() const;
 
  private:

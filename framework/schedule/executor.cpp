@@ -1,7 +1,6 @@
 #include "schedule/executor.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <set>
 
 #include "mesogen/diagnostics/error.hpp"
@@ -136,9 +135,10 @@ void Executor::run(Work& work) {
     world_.refresh_outside(world_.fields.at(field));
   }
   if (!work.on_device) world_.backend.finish();
-  const auto start = std::chrono::steady_clock::now();
+  const Span span(work.counter, world_.trace);
   try {
     work.pass.body(WorkContext(world_, work));
+    world_.end_of_work();
   } catch (...) {
     rethrow_of_plugin(call_text(work.owner, work.plugin, "pass \"" + work.pass.name + "\"", world_.step, world_.time),
                       ExitCode::run_failed);
@@ -146,8 +146,6 @@ void Executor::run(Work& work) {
   for (const std::string& field : work.pass.write_list)
     if (Field* const written = world_.fields.find(field)) ++written->version;
   for (const std::string& field : work.pass.accumulate_list) ++world_.fields.at(field).version;
-  ++work.runs;
-  work.seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
 void Executor::prepare(const std::string& field) {

@@ -43,6 +43,7 @@ StepGraph::StepGraph(const Catalogue& catalogue, const std::vector<Member>& memb
       work.pass = pass;
       work.on_device = member.on_device;
       work.for_observer.assign(readers.size(), false);
+      work.counter = {work.title(), "plugin"};
       works_.push_back(std::move(work));
     }
     if (member.passes->transport().velocity.empty()) continue;
@@ -91,6 +92,7 @@ void StepGraph::add_advection(const Backend& backend) {
     work.pass = backend.advection(entry.declaration, transport_);
     work.on_device = true;
     work.for_observer.assign(readers_.size(), false);
+    work.counter = {work.title()};
     works_.push_back(std::move(work));
   }
 }

@@ -1,9 +1,9 @@
 #pragma once
 
-#include <cstdint>
 #include <string>
 #include <vector>
 
+#include "diagnostics/trace.hpp"
 #include "mesogen/plugin/passes.hpp"
 
 namespace mesogen {
@@ -16,8 +16,7 @@ struct Work {
   bool on_device = false;          ///< its code runs on the backend's device, if that has one
   bool for_integration = false;    ///< needed to advance the run
   std::vector<bool> for_observer;  ///< needed by the n-th reader (observers, then output)
-  std::int64_t runs = 0;
-  double seconds = 0.0;
+  Counter counter;                 ///< of what it took, by its title
 
   [[nodiscard]] bool pruned() const {
     if (for_integration) return false;

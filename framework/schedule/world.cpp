@@ -1,7 +1,5 @@
 #include "schedule/world.hpp"
 
-#include <chrono>
-
 namespace mesogen {
 
 World::World(Scene scene_of_run, sph::SmoothingKernel kernel_of_run, const Boundary& boundary_of_run, Particles all,
@@ -38,11 +36,14 @@ void World::resize_fields() {
 void World::settle() {
   if (!moved_) return;
   moved_ = false;
+  const Span span(sorting_, trace);
   const exec::Array<Index>* order = neighbourhood.update(particles);
   if (order != nullptr) permute_fields(*order);
+  end_of_work();
 }
 
 void World::reorder() {
+  const Span span(sorting_, trace);
   permute_fields(neighbourhood.reorder(particles));
   moved_ = true;
 }
@@ -83,7 +84,7 @@ void World::refresh_outside(Field& field) {
   // Where particles moved, other ones stand before the wall; a copy's values are its source's wherever that is.
   const std::uint64_t positions = walls ? neighbourhood.version() : 0;
   if (field.refreshed == field.version && field.refreshed_at == positions) return;
-  const auto start = std::chrono::steady_clock::now();
+  const Span span(refreshing_, trace);
   if (walls) {
     backend.finish();
     walls_.refresh(neighbourhood, scene, kernel, boundary, field);
@@ -94,8 +95,7 @@ void World::refresh_outside(Field& field) {
   }
   field.refreshed = field.version;
   field.refreshed_at = positions;
-  ++refreshes_;
-  refresh_seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  end_of_work();
 }
 
 }  // namespace mesogen

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
+#include "diagnostics/trace.hpp"
 #include "domain/copy_rules.hpp"
 #include "domain/neighbourhood.hpp"
 #include "domain/particles.hpp"
@@ -31,9 +33,11 @@ class MESOGEN_EXPORT World {
   Particles particles;
   Neighbourhood neighbourhood;
   FieldStore fields;
-  double time = 0.0;       ///< s
-  double step_size = 0.0;  ///< s; 0 when rates are evaluated without a step
-  std::int64_t step = 0;   ///< steps done
+  double time = 0.0;        ///< s
+  double step_size = 0.0;   ///< s; 0 when rates are evaluated without a step
+  std::int64_t step = 0;    ///< steps done
+  Trace* trace = nullptr;   ///< of what is done here, if one is asked for; must outlive that
+  bool times_each = false;  ///< is a device waited for after each piece of work, so that its time is told?
 
   [[nodiscard]] bool single() const { return scene.precision == Precision::single_precision; }
 
@@ -62,9 +66,12 @@ class MESOGEN_EXPORT World {
   void restore_order(const std::array<std::vector<double>, 3>& sorted_position);
   /// Brings what a field is beyond the faces up to date, at copies or dummies, if it is not.
   void refresh_outside(Field& field);
-  /// How often, and how long in all, s.
-  [[nodiscard]] std::int64_t refreshes() const { return refreshes_; }
-  [[nodiscard]] double refresh_seconds() const { return refresh_seconds_; }
+  /// To be called where a piece of work ends whose time is counted: a device does it later, unless it is waited for.
+  void end_of_work() const {
+    if (times_each) backend.finish();
+  }
+  /// What the work of this class took.
+  [[nodiscard]] std::vector<Counter> counters() const { return {sorting_, refreshing_}; }
 
  private:
   void resize_fields();
@@ -76,8 +83,8 @@ class MESOGEN_EXPORT World {
   Field::Scratch scratch_;
   WallValues walls_;
   CopyRules copy_rules_;
-  std::int64_t refreshes_ = 0;
-  double refresh_seconds_ = 0.0;
+  Counter sorting_{"framework: neighbours, sorting"};
+  Counter refreshing_{"framework: values beyond the faces"};
 };
 
 }  // namespace mesogen

@@ -60,8 +60,11 @@ bool Timing::due(double from, double to, std::int64_t steps) const {
 }
 
 Observation::Observation(Stepper& stepper) : stepper_(stepper) {
-  for (const auto& member : stepper.setup().observers)
+  for (const auto& member : stepper.setup().observers) {
     timings_.push_back({member.timing.interval, member.timing.every});
+    sampling_.push_back({"observers." + member.instance + ": sample", "plugin"});
+    following_.push_back({"observers." + member.instance + ": follow", "plugin"});
+  }
   timings_.push_back({stepper.setup().source.output.interval, {}});
 }
 
@@ -85,17 +88,22 @@ std::vector<bool> Observation::due(double from, double to, std::int64_t steps, b
 }
 
 void Observation::follow() {
-  if (std::ranges::any_of(stepper_.setup().observers, [](const auto& member) { return member.plan.follows(); }))
+  const auto& members = stepper_.setup().observers;
+  if (std::ranges::any_of(members, [](const auto& member) { return member.plan.follows(); }))
     stepper_.world().backend.finish();
-  for (const auto& member : stepper_.setup().observers)
-    if (member.plan.follows())
-      call(stepper_.world(), member, "follow()",
-           [&] { member.plugin->follow(DeclaredView(stepper_.world(), stepper_.setup(), member, true)); });
+  for (std::size_t n = 0; n < members.size(); ++n) {
+    const auto& member = members[n];
+    if (!member.plan.follows()) continue;
+    const Span span(following_[n], stepper_.world().trace);
+    call(stepper_.world(), member, "follow()",
+         [&] { member.plugin->follow(DeclaredView(stepper_.world(), stepper_.setup(), member, true)); });
+  }
 }
 
 Sample Observation::sample(std::size_t n) {
   const auto& member = stepper_.setup().observers[n];
   stepper_.executor().prepare(member.fields);
+  const Span span(sampling_[n], stepper_.world().trace);
   Sample sample;
   call(stepper_.world(), member, "sample()",
        [&] { member.plugin->sample(DeclaredView(stepper_.world(), stepper_.setup(), member, false), sample); });
@@ -115,6 +123,9 @@ void Observation::observe(const std::vector<bool>& due, ResultsWriter& results) 
     results.add_sample(observer, sample, world.step, world.time);
   });
   if (!due.back()) return;
+  // Passes are counted as such, wherever they run.
+  stepper_.executor().prepare(stepper_.setup().output_fields);
+  const Span span(frames_, world.trace);
   results.add_frame(frame(), world.step, world.time);
 }
 
@@ -158,6 +169,12 @@ std::vector<FrameField> Observation::frame() {
     fields.push_back(std::move(stored));
   }
   return fields;
+}
+
+std::vector<Counter> Observation::counters() const {
+  std::vector<Counter> all = {frames_};
+  for (const auto& counters : {sampling_, following_}) all.insert(all.end(), counters.begin(), counters.end());
+  return all;
 }
 
 void Observation::save(Checkpoint& checkpoint) const {

@@ -45,12 +45,18 @@ class MESOGEN_EXPORT Observation {
   /// A frame of what is now.
   [[nodiscard]] std::vector<FrameField> frame();
 
+  /// What the calls into observers took, and frames; without the fields that are brought up to date for them.
+  [[nodiscard]] std::vector<Counter> counters() const;
+
   void save(Checkpoint& checkpoint) const;
   void restore(const Checkpoint& checkpoint);
 
  private:
   Stepper& stepper_;
   std::vector<Timing> timings_;
+  std::vector<Counter> sampling_;  // of each observer
+  std::vector<Counter> following_;
+  Counter frames_{"output: frame", "output"};
 };
 
 }  // namespace mesogen

@@ -2,15 +2,17 @@
 
 #include <omp.h>
 
-#include <chrono>
-
 #include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
 
 #include "diagnostics/resources.hpp"
 #include "output/run_folder.hpp"
 #include "simulation/observation.hpp"
 #include "simulation/results_options.hpp"
 #include "simulation/rounded_text.hpp"
+#include "simulation/run_trace.hpp"
 #include "simulation/stepper.hpp"
 
 namespace mesogen {
@@ -25,9 +27,20 @@ double seconds_since(Clock::time_point from) { return std::chrono::duration<doub
 class Run {
  public:
   Run(Setup& setup, const RunOptions& options, Log& log, Progress& progress)
-      : setup_(setup), options_(options), log_(log), progress_(progress), stepper_(setup), observation_(stepper_) {
+      : setup_(setup),
+        options_(options),
+        log_(log),
+        progress_(progress),
+        trace_(options.trace),
+        stepper_(setup),
+        observation_(stepper_) {
     log_.open_file(options.folder / "run.log");
+    stepper_.world().trace = trace_.trace();
+    stepper_.world().times_each = options.profile || trace_.trace() != nullptr;
   }
+  ~Run() { trace_.write(log_); }
+  Run(const Run&) = delete;
+  Run& operator=(const Run&) = delete;
 
   ExitCode begin() { return begin(ResultsWriter::create(results_options(setup_, options_.folder))); }
 
@@ -71,6 +84,7 @@ class Run {
   [[nodiscard]] bool stopped() const { return options_.stop != nullptr && options_.stop->load(); }
 
   void write_checkpoint(ResultsWriter& results) {
+    const Span span(checkpoints_, trace_.trace());
     results.flush();
     Checkpoint checkpoint;
     checkpoint.case_text = setup_.resolved_text;
@@ -89,7 +103,7 @@ class Run {
     const double cpu_before = cpu_seconds();
     auto saved = begun;
     const std::int64_t first = world.step;
-    shares_before_ = stepper_.shares();
+    shares_before_ = shares();
     progress_.start(world.time, world.step, end());
     try {
       while (world.time < end() && !stopped()) {
@@ -148,25 +162,35 @@ class Run {
                           stepper_.world().neighbourhood.sortings()));
     if (!options_.profile) return;
     // What was done before the first step belongs to no step.
-    for (auto share : stepper_.shares()) {
-      for (const auto& before : shares_before_)
-        if (before.work == share.work) {
-          share.runs -= before.runs;
-          share.seconds -= before.seconds;
-        }
+    auto all = shares();
+    for (std::size_t n = 0; n < all.size(); ++n) {
+      all[n].runs -= shares_before_[n].runs;
+      all[n].seconds -= shares_before_[n].seconds;
+    }
+    std::ranges::stable_sort(all, std::ranges::greater(), &Counter::seconds);
+    for (const Counter& share : all) {
       if (share.runs == 0) continue;
       log_.info(fmt::format("{:6.2f} %  {:9.3f} ms a step  {:8} runs  {}", 100.0 * share.seconds / seconds,
-                            1e3 * share.seconds / static_cast<double>(steps), share.runs, share.work));
+                            1e3 * share.seconds / static_cast<double>(steps), share.runs, share.title));
     }
+  }
+
+  [[nodiscard]] std::vector<Counter> shares() const {
+    auto all = stepper_.shares();
+    for (const Counter& counter : observation_.counters()) all.push_back(counter);
+    all.push_back(checkpoints_);
+    return all;
   }
 
   Setup& setup_;
   const RunOptions& options_;
   Log& log_;
   Progress& progress_;
+  RunTrace trace_;
   Stepper stepper_;
   Observation observation_;
-  std::vector<Stepper::Share> shares_before_;
+  Counter checkpoints_{"output: checkpoint", "output"};
+  std::vector<Counter> shares_before_;
   std::int64_t saved_step_ = -1;  ///< of the last checkpoint written
 };
 
@@ -176,12 +200,14 @@ ExitCode run_case(Case source, const PluginRegistry& registry, const RunOptions&
                   Progress& progress) {
   Problems problems;
   const auto setup = set_up(std::move(source), registry, problems);
+  RunTrace::check(options.trace, options.folder);
   const RunLock lock = start_run_folder(options.folder, setup->resolved_text, options.overwrite);
   return Run(*setup, options, log, progress).begin();
 }
 
 ExitCode resume_run(const PluginRegistry& registry, const RunOptions& options, Log& log, Progress& progress) {
   const std::string text = stored_case(options.folder);
+  RunTrace::check(options.trace, options.folder);
   const RunLock lock(options.folder);
   Problems problems;
   Case source = read_case_text(text, (options.folder / "case.toml").string(), {}, problems);

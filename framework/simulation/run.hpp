@@ -16,7 +16,8 @@ namespace mesogen {
 struct RunOptions {
   std::filesystem::path folder;
   bool overwrite = false;
-  bool profile = false;  ///< print where the time went
+  bool profile = false;         ///< print where the time went
+  std::filesystem::path trace;  ///< file for a trace of it; empty: none
   /// Set by a signal handler: stop at the next step, with a checkpoint.
   const std::atomic<bool>* stop = nullptr;
 };

@@ -1,7 +1,6 @@
 #include "simulation/stepper.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <numeric>
 #include <set>
 
@@ -115,26 +114,24 @@ StepControl::Choice Stepper::next_step(double end) const {
 
 void Stepper::advance(double step_size, const std::vector<bool>& reader_due, std::optional<double> arrival) {
   const double begun = world_.time;
-  const auto timed = [this](auto&& action) {
-    const auto from = std::chrono::steady_clock::now();
+  const Span span(whole_, world_.trace);
+  const auto timed = [this](Counter& counter, const auto& action) {
+    const Span part(counter, world_.trace);
     action();
-    integration_seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - from).count();
   };
   world_.step_size = step_size;
-  timed([&] {
-    integrator_.predict(step_size);
-    keep_order();
-  });
+  timed(integration_, [&] { integrator_.predict(step_size); });
+  keep_order();
   world_.time = begun + step_size / 2.0;
   executor_.run(Phase::begin, reader_due);
   executor_.run(Phase::rates, reader_due);
-  timed([&] { motion_ = integrator_.correct(step_size); });
+  timed(integration_, [&] { motion_ = integrator_.correct(step_size); });
   world_.time = arrival.value_or(begun + step_size);
   ++world_.step;
-  guard_.check(motion_);
+  timed(guarding_, [&] { guard_.check(motion_); });
   executor_.run(Phase::end, reader_due);
   if (integrator_.velocity_by_passes()) {
-    integrator_.look(step_size, motion_);
+    timed(integration_, [&] { integrator_.look(step_size, motion_); });
     guard_.check_finite(motion_);
   }
 }
@@ -194,7 +191,7 @@ void Stepper::restore(const Checkpoint& checkpoint) {
   };
   const auto put = [](const auto& values, auto& to) { to.assign(values.begin(), values.end()); };
   world_.backend.finish();
-  world_.step = checkpoint.step;
+  world_.step = whole_.runs = checkpoint.step;
   world_.time = checkpoint.time;
   world_.step_size = checkpoint.step_size;
   put(take(checkpoint.integers, "id"), world_.particles.id);
@@ -235,15 +232,12 @@ void Stepper::restore(const Checkpoint& checkpoint) {
                                      : integrator_.largest_acceleration();
 }
 
-std::vector<Stepper::Share> Stepper::shares() const {
-  std::vector<Share> all;
+std::vector<Counter> Stepper::shares() const {
+  std::vector<Counter> all = {integration_, guarding_};
   for (const Work& work : setup_.graph->works())
-    if (!work.pruned()) all.push_back({work.title(), work.runs, work.seconds});
-  for (const auto& counter : derived_->counters())
-    all.push_back({"framework: " + counter.title, counter.runs, counter.seconds});
-  all.push_back({"framework: values beyond the faces", world_.refreshes(), world_.refresh_seconds()});
-  all.push_back({"framework: integration, sorting", world_.step, integration_seconds_});
-  std::sort(all.begin(), all.end(), [](const Share& a, const Share& b) { return a.seconds > b.seconds; });
+    if (!work.pruned()) all.push_back(work.counter);
+  for (const auto& counters : {derived_->counters(), world_.counters()})
+    all.insert(all.end(), counters.begin(), counters.end());
   return all;
 }
 

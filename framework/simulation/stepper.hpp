@@ -41,13 +41,8 @@ class MESOGEN_EXPORT Stepper {
   void save(Checkpoint& checkpoint);
   void restore(const Checkpoint& checkpoint);
 
-  /// Where the time went, the largest first.
-  struct Share {
-    std::string work;
-    std::int64_t runs;
-    double seconds;
-  };
-  [[nodiscard]] std::vector<Share> shares() const;
+  /// Where the time of steps went, piece by piece.
+  [[nodiscard]] std::vector<Counter> shares() const;
 
  private:
   void add_fields();
@@ -62,7 +57,9 @@ class MESOGEN_EXPORT Stepper {
   StepControl control_;
   Guard guard_;
   Motion motion_;
-  double integration_seconds_ = 0.0;
+  Counter whole_{"framework: step"};
+  Counter integration_{"framework: integration"};
+  Counter guarding_{"framework: guard"};
 };
 
 }  // namespace mesogen

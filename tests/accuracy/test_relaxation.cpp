@@ -54,10 +54,10 @@ TEST(Relaxation, NothingThatRestsIsComputedTwice) {
   EXPECT_EQ(run.world().neighbourhood.sortings(), 1);
   bool found = false;
   for (const auto& share : run.stepper().shares()) {
-    if (share.work == "framework: volume") {
+    if (share.title == "framework: volume") {
       EXPECT_EQ(share.runs, 1);
     }
-    if (share.work == "framework: order_tensor_laplacian") {
+    if (share.title == "framework: order_tensor_laplacian") {
       EXPECT_EQ(share.runs, 26);  // at the start, then once a step
       found = true;
     }

@@ -25,7 +25,8 @@ class Arguments(CommandTest):
 
     def test_help_of_run_names_its_options(self):
         out, _ = self.mesogen("run", "--help")
-        for option in ("--set", "--output", "--overwrite", "--threads", "--quiet", "--plugin-path", "--profile"):
+        for option in ("--set", "--output", "--overwrite", "--threads", "--quiet", "--plugin-path", "--profile",
+                       "--trace"):
             self.assertIn(option, out)
 
     def test_without_a_verb(self):

@@ -81,7 +81,7 @@ std::vector<double> ParticleScene::derived(const std::string& name, int componen
 std::int64_t ParticleScene::weights_found() const {
   std::int64_t found = 0;
   for (const auto& counter : fields_->counters())
-    if (counter.title.starts_with("weights of ")) found += counter.runs;
+    if (counter.title.starts_with("framework: weights of ")) found += counter.runs;
   return found;
 }
 

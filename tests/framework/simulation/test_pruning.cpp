@@ -27,7 +27,7 @@ using Counters = std::map<std::string, std::int64_t>;
 
 Counters counters(CaseRun& run) {
   Counters all;
-  for (const auto& share : run.stepper().shares()) all[share.work] = share.runs;
+  for (const auto& share : run.stepper().shares()) all[share.title] = share.runs;
   all["neighbour builds"] = run.world().neighbourhood.sortings();
   all["positions"] = static_cast<std::int64_t>(run.world().neighbourhood.version());
   return all;
@@ -50,7 +50,9 @@ TEST(Pruning, WithoutFlowNeighboursAreBuiltOnceAndNothingMoves) {
                              {"framework: weights of order_tensor_laplacian", 1},
                              {"framework: order_tensor_laplacian", 1 + steps},   // at the start, then at each midpoint
                              {"framework: values beyond the faces", 2 + steps},  // the volume, then Q each time
-                             {"framework: integration, sorting", steps},
+                             {"framework: neighbours, sorting", 1},
+                             {"framework: integration", 2 * steps},  // to the midpoint, and on
+                             {"framework: guard", steps},
                              {"physics.nematic: rate of the order tensor", 1 + steps}}));
   EXPECT_EQ(run.path(0), x);
   // Nothing that only a flow, or nobody, needs takes memory.
