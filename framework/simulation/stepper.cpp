@@ -131,7 +131,7 @@ void Stepper::advance(double step_size, const std::vector<bool>& reader_due, std
   timed(guarding_, [&] { guard_.check(motion_); });
   executor_.run(Phase::end, reader_due);
   if (integrator_.velocity_by_passes()) {
-    integrator_.look(step_size, motion_);
+    timed(integration_, [&] { integrator_.look(step_size, motion_); });
     guard_.check_finite(motion_);
   }
 }
