@@ -93,7 +93,8 @@ void tell_quantities(Text& text, const PluginFacts& plugin) {
 std::string info_text(const PluginFacts& plugin) {
   Text text;
   text.line("{} {} {}: {}", to_string(plugin.kind), plugin.name, plugin.version, plugin.summary);
-  text.line("file: {} ({}{})", plugin.file, plugin.instruction_set, plugin.cuda ? "; another for CUDA" : "");
+  text.line("file: {} ({})", plugin.file, plugin.instruction_set);
+  if (plugin.cuda) text.line("has code for CUDA too");
   text.line("plugin interface: {}, built with {}", plugin.abi, plugin.build_tag);
   tell_keys(text, plugin);
   if (plugin.shape) tell_shape(text, *plugin.shape);

@@ -4,7 +4,8 @@
     bench/speed.py [--build build/release] [--quick] [--only passes runs ...] [-o docs/performance]
 
 Writes OUTPUT/speed.csv and puts the tables into OUTPUT.md, between its markers. The build needs the benchmarks
-(-DMESOGEN_BENCHMARKS=ON); without PySPH its rows are left out. Some 12 minutes on two free cores. --quick, one minute,
+(-DMESOGEN_BENCHMARKS=ON); without PySPH its rows are left out, without a CUDA device those of the last that there was
+stay. Some 12 minutes on two free cores. --quick, one minute,
 tells whether all works and is too rough to be quoted; that and --only print their tables and write nothing. --tables
 makes the page's tables anew of the CSV that is there.
 """
@@ -16,13 +17,14 @@ import os
 import pathlib
 import sys
 
-from speed_runs import PROJECT, best_of, call, instruction_set, measure_passes, peer_seconds, run_paper, tell
+from speed_runs import (PROJECT, best_of, call, device_name, device_seconds, instruction_set, measure_passes,
+                        peer_seconds, run_paper, tell)
 from speed_tables import Figure, markdown, put_into, read_csv, row, write_csv
 
 KERNELS = ["quintic", "wendland_c2", "wendland_c4", "wendland_c6"]
 CORNERS = {"machine": "machine", "blocks": "precision", "passes": "pass", "kernels": "ns a pair",
            "sizes": "particles", "threads": "threads", "variants": "variant", "shares": "part of a step",
-           "peers": "program"}
+           "peers": "program", "device": "particles on the device", "device shares": "part of a step on the device"}
 MOST_LOAD = 0.5  # of the machine before measuring; what is left of a build some minutes ago is below
 PRECISIONS = ["single", "double"]
 MACHINE = "machine of this run"
@@ -45,8 +47,9 @@ PEERS = {
 }
 # across, repetitions or rounds, and how many particle-steps a run takes.
 FULL = {"passes": (500, 3, 0.1), "sizes": ([100, 200, 500, 1000], 3, 4e6), "variants": (500, 3, 4e6),
-        "peers": (100, 2, 2e6)}
-QUICK = {"passes": (120, 1, 0.01), "sizes": ([60, 100], 1, 1e5), "variants": (100, 1, 1e5), "peers": (40, 1, 3e5)}
+        "peers": (100, 2, 2e6), "device": ([500, 1000, 3162, 10000], 3, 4e8)}
+QUICK = {"passes": (120, 1, 0.01), "sizes": ([60, 100], 1, 1e5), "variants": (100, 1, 1e5), "peers": (40, 1, 3e5),
+         "device": ([100, 200], 1, 1e6)}
 
 
 def core_count():
@@ -154,6 +157,30 @@ def peers(options, effort):
     return figures
 
 
+def device(options, effort):
+    """Whole steps on a CUDA device; nothing where there is none. Sortings are in them: a run is timed as a whole."""
+    across, rounds, budget = effort
+    name = device_name(options.mesogen)
+    if name is None:
+        tell("device: there is none, left out")
+        return []
+    tell(f"device: {name}")
+    figures = []
+    for n in across:
+        steps = int(min(4000, max(40, budget / n**2)))
+        for precision in PRECISIONS if n <= 1000 else PRECISIONS[:1]:
+            seconds = min(device_seconds(options.mesogen, n, steps, [f"run.precision={precision}"])
+                          for _ in range(rounds if n <= 1000 else 1))
+            figures += row("device", f"{n * n:,}", {f"ms a step, {precision}": 1e3 * seconds,
+                                                    f"million particle-steps/s, {precision}":
+                                                    millions_a_second(n, seconds)})
+        figures += row("device", f"{n * n:,}", {"device": f"{name}, {datetime.date.today().isoformat()}"})
+    shares = run_paper(options.mesogen, across[0], 200, core_count(), ["run.device=cuda"]).shares
+    for name, seconds in sorted(shares.items(), key=lambda share: -share[1]):
+        figures += row("device shares", name, {"ms a step, each waited for": 1e3 * seconds})
+    return figures
+
+
 def machine(options, load):
     """Where and when it was measured, and whether that can be relied on, in a sentence. `load`: before it began."""
     with open("/proc/cpuinfo", encoding="utf-8") as file:
@@ -173,7 +200,7 @@ def tables(figures):
 
 
 MEASURES = {"passes": (passes, "passes"), "sizes": (sizes, "sizes"), "threads": (threads, "variants"),
-            "variants": (variants, "variants"), "peers": (peers, "peers")}
+            "variants": (variants, "variants"), "peers": (peers, "peers"), "device": (device, "device")}
 
 
 def main():
@@ -197,6 +224,9 @@ def main():
             measure, effort = MEASURES[name]
             figures += measure(options, (QUICK if options.quick else FULL)[effort])
         figures += row(MACHINE, "machine", {"": machine(options, load) + "."})
+        if "device" in options.only and not any(figure.table == "device" for figure in figures) and file.exists():
+            # Of the machine that had one: its rows say which, and when.
+            figures += [figure for figure in read_csv(file) if figure.table in ("device", "device shares")]
     blocks = tables(figures)
     if options.quick or options.only != list(MEASURES):
         for name, block in blocks.items():

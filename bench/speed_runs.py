@@ -77,6 +77,38 @@ def run_paper(mesogen, across, steps, threads, settings):
         return Run(json.loads((folder / "trace.json").read_text(encoding="utf-8")))
 
 
+def device_name(mesogen):
+    """The CUDA device that runs compute on here; None if there is none."""
+    with tempfile.TemporaryDirectory(prefix="mesogen-") as folder:
+        case = pathlib.Path(folder) / "case.toml"
+        case.write_text(paper_case(), encoding="utf-8")
+        command = [mesogen, "run", "case.toml", "--output", "out"]
+        for setting in ("run.device=auto", "domain.size=[1.0, 1.0]", f"time.step={STEP}", f"time.end={2 * STEP}"):
+            command += ["--set", setting]
+        done = subprocess.run([str(part) for part in command], cwd=folder, capture_output=True, text=True, check=True)
+        found = re.search(r"computing on (?!the host)(.+)", done.stderr)
+        return found.group(1) if found else None
+
+
+def device_seconds(mesogen, across, steps, settings):
+    """Wall time of a step on the device, without a trace, which would wait for each piece of work; s. Two runs, so
+    that what a run begins and ends with does not count."""
+    def stepping(number):
+        import mesogen as results
+        with tempfile.TemporaryDirectory(prefix="mesogen-") as folder:
+            folder = pathlib.Path(folder)
+            (folder / "case.toml").write_text(paper_case(), encoding="utf-8")
+            command = [mesogen, "run", "case.toml", "--quiet", "--output", "out"]
+            for setting in (f"domain.size=[{across * SPACING}, {across * SPACING}]", f"time.step={STEP}",
+                            f"time.end={number * STEP}", "run.device=cuda", *settings):
+                command += ["--set", setting]
+            call(command, folder)
+            with results.open(folder / "out") as run:
+                return run.cost.wall_seconds
+    few = max(2, steps // 10)
+    return (stepping(few + steps) - stepping(few)) / steps
+
+
 def best_of(rounds, variants, measure):
     """variants: {name: arguments of measure}. All take turns; for each name the run with the shortest step, and of its
     sortings the shortest of all rounds."""

@@ -1,4 +1,4 @@
-# mesogen_add_plugin(NAME name KIND kernel|boundary|physics|observer SOURCES ... [VECTORISED]
+# mesogen_add_plugin(NAME name KIND kernel|boundary|physics|observer SOURCES ... [VECTORISED] [HOST_ONLY]
 #                    [TEST source...] [CONTRACT --set KEY=VALUE ...])
 #
 # Builds one plugin library into <build>/plugins and installs it into MESOGEN_PLUGIN_FOLDER: the plugin folder of the
@@ -50,7 +50,8 @@ function(mesogen_add_plugin)
     add_dependencies(programs ${PLUGIN_NAME})
   endif()
   if(MESOGEN_HAVE_CUDA AND PLUGIN_KIND STREQUAL physics AND NOT PLUGIN_HOST_ONLY)
-    mesogen_add_cuda_library(${PLUGIN_NAME}_cuda MODULE ${PLUGIN_SOURCES})
+    # From <prefix>/lib/mesogen/plugins/cuda to <prefix>/lib.
+    mesogen_add_cuda_library(${PLUGIN_NAME}_cuda MODULE "$ORIGIN/../../.." ${PLUGIN_SOURCES})
     set_target_properties(${PLUGIN_NAME}_cuda PROPERTIES PREFIX "" OUTPUT_NAME ${PLUGIN_NAME}
                           LIBRARY_OUTPUT_DIRECTORY ${MESOGEN_PLUGIN_OUTPUT}/cuda)
     add_dependencies(${PLUGIN_NAME} ${PLUGIN_NAME}_cuda)

@@ -36,7 +36,6 @@ if(MESOGEN_TIDY)
 endif()
 
 # nvcc, where there is one that works and knows C++20: used, never required.
-set(MESOGEN_HAVE_CUDA OFF)
 if(MESOGEN_CUDA)
   find_program(MESOGEN_NVCC nvcc HINTS /usr/local/cuda/bin)
   if(MESOGEN_NVCC)
@@ -48,43 +47,16 @@ if(MESOGEN_CUDA)
       endif()
       if(NOT CMAKE_CUDA_COMPILER)
         set(ENV{CUDACXX} ${MESOGEN_NVCC})
+        # One compiler for the host: libraries of two are strangers to each other.
+        set(ENV{CUDAHOSTCXX} ${CMAKE_CXX_COMPILER})
       endif()
       include(CheckLanguage)
       check_language(CUDA)
       if(CMAKE_CUDA_COMPILER)
         enable_language(CUDA)
-        set(CMAKE_CUDA_STANDARD 20)
-        if(NOT CMAKE_CUDA20_STANDARD_COMPILE_OPTION)
-          # CMake 3.25 does not know that nvcc knows it.
-          set(CMAKE_CUDA20_STANDARD_COMPILE_OPTION "-std=c++20")
-          set(CMAKE_CUDA20_EXTENSION_COMPILE_OPTION "-std=c++20")
-        endif()
-        set(MESOGEN_HAVE_CUDA ON)
       endif()
     endif()
   endif()
 endif()
+include(MesogenCuda)
 message(STATUS "Passes are compiled for CUDA: ${MESOGEN_HAVE_CUDA}")
-
-# mesogen_add_cuda_library(NAME KIND sources...): C++ sources compiled by nvcc into a library (SHARED or MODULE) whose
-# passes run on a device. Each is included by a .cu file: a source's language holds for all targets of its folder. No
-# relocatable device code: every library launches its own kernels, and all share one CUDA runtime.
-function(mesogen_add_cuda_library name kind)
-  set(device_sources)
-  foreach(source IN LISTS ARGN)
-    cmake_path(ABSOLUTE_PATH source BASE_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR} OUTPUT_VARIABLE path)
-    cmake_path(GET source STEM stem)
-    set(device_source ${CMAKE_CURRENT_BINARY_DIR}/${name}/${stem}.cu)
-    file(CONFIGURE OUTPUT ${device_source} CONTENT "#include \"${path}\"\n" @ONLY)
-    list(APPEND device_sources ${device_source})
-  endforeach()
-  add_library(${name} ${kind} ${device_sources})
-  set_target_properties(${name} PROPERTIES CUDA_RUNTIME_LIBRARY Shared CUDA_VISIBILITY_PRESET hidden
-                        CUDA_SEPARABLE_COMPILATION OFF INSTALL_RPATH_USE_LINK_PATH ON)
-  target_include_directories(${name} PRIVATE ${CMAKE_CURRENT_SOURCE_DIR})
-  # std::array on a device; loops on the host as in the other libraries.
-  target_compile_options(${name} PRIVATE $<$<COMPILE_LANGUAGE:CUDA>:--expt-relaxed-constexpr -Xcompiler=-fopenmp>)
-  # Its own copy of what libmesogen_sph and libmesogen hold as well is the one that it must call.
-  target_link_options(${name} PRIVATE -Wl,-Bsymbolic)
-  target_link_libraries(${name} PRIVATE Mesogen::mesogen OpenMP::OpenMP_CXX)
-endfunction()

@@ -2,9 +2,9 @@ install(TARGETS mesogen_command EXPORT MesogenTargets RUNTIME DESTINATION ${CMAK
 install(DIRECTORY python/mesogen DESTINATION lib/mesogen/python PATTERN __pycache__ EXCLUDE)
 install(DIRECTORY app/templates DESTINATION share/mesogen)
 install(FILES LICENSE README.md ARCHITECTURE.md CHANGELOG.md DESTINATION share/doc/mesogen)
-install(FILES docs/quickstart.png docs/reference.md docs/stability.md DESTINATION share/doc/mesogen/docs)
+install(FILES docs/quickstart.png docs/reference.md docs/stability.md docs/performance.md DESTINATION share/doc/mesogen/docs)
 install(DIRECTORY cases studies DESTINATION share/mesogen)
-install(DIRECTORY docs/accuracy docs/stability DESTINATION share/doc/mesogen/docs)
+install(DIRECTORY docs/accuracy docs/stability docs/performance DESTINATION share/doc/mesogen/docs)
 install(DIRECTORY examples DESTINATION share/doc/mesogen)
 
 # find_package(Mesogen), from an installation and, without one, from the build folder.
@@ -14,7 +14,7 @@ configure_package_config_file(cmake/MesogenConfig.cmake.in ${CMAKE_BINARY_DIR}/$
                               INSTALL_DESTINATION ${package} NO_SET_AND_CHECK_MACRO NO_CHECK_REQUIRED_COMPONENTS_MACRO)
 write_basic_package_version_file(${CMAKE_BINARY_DIR}/${package}/MesogenConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${CMAKE_BINARY_DIR}/${package}/MesogenConfig.cmake ${CMAKE_BINARY_DIR}/${package}/MesogenConfigVersion.cmake
-              cmake/MesogenAddPlugin.cmake cmake/MesogenCompileOptions.cmake DESTINATION ${package})
+              cmake/MesogenAddPlugin.cmake cmake/MesogenCuda.cmake cmake/MesogenCompileOptions.cmake DESTINATION ${package})
 install(EXPORT MesogenTargets NAMESPACE Mesogen:: DESTINATION ${package})
 export(EXPORT MesogenTargets NAMESPACE Mesogen:: FILE ${CMAKE_BINARY_DIR}/${package}/MesogenTargets.cmake)
-file(COPY cmake/MesogenAddPlugin.cmake cmake/MesogenCompileOptions.cmake DESTINATION ${CMAKE_BINARY_DIR}/${package})
+file(COPY cmake/MesogenAddPlugin.cmake cmake/MesogenCuda.cmake cmake/MesogenCompileOptions.cmake DESTINATION ${CMAKE_BINARY_DIR}/${package})

@@ -112,7 +112,7 @@ std::map<std::string, std::vector<double>, std::less<>> HarnessRun::sample(std::
   const auto& member = setup_->observers.front();
   // Fields are up to date before particles are stored anew, so nothing is computed in the wrong order.
   stepper_.executor().prepare(member.fields);
-  exec::Array<Index> order(world().particles.id.size());
+  exec::Array<Index> order(world().particles.id.size(), world().backend.memory());
   std::iota(order.begin(), order.end(), 0);
   if (shuffled_by)
     for (std::size_t n = order.size(); n > 1; --n)
@@ -120,7 +120,7 @@ std::map<std::string, std::vector<double>, std::less<>> HarnessRun::sample(std::
                 order[static_cast<std::size_t>(exec::random_bits(*shuffled_by, static_cast<int>(n), 0) % n)]);
   permute(order);
   const auto values = observation_.sample(0).values();
-  exec::Array<Index> back(order.size());
+  exec::Array<Index> back(order.size(), world().backend.memory());
   for (std::size_t n = 0; n < order.size(); ++n) back[static_cast<std::size_t>(order[n])] = static_cast<Index>(n);
   permute(back);
 
@@ -155,8 +155,9 @@ void HarnessRun::permute(const exec::Array<Index>& order) {
     reorder(particles.position[d]);
     reorder(particles.images[d]);
   }
-  Field::Scratch scratch;
+  Field::Scratch scratch(world().backend.memory());
   for (const auto& [name, field] : world().fields.all()) field->permute(order, scratch);
+  world().backend.finish();
 }
 
 std::vector<double> HarnessRun::by_id(const std::vector<double>& stored) {

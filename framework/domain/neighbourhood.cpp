@@ -2,17 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <numeric>
 
-#include "mesogen/diagnostics/error.hpp"
+#include "exec/outside.hpp"
 #include "mesogen/exec/first_failure.hpp"
 
 namespace mesogen {
 
 namespace {
-
-constexpr std::size_t pack_tail = 16;
 
 template <class T>
 std::array<exec::Array<T>, 3> three(exec::Memory& memory) {
@@ -37,7 +33,7 @@ Neighbourhood::Neighbourhood(const Scene& scene, const Boundary& boundary, const
       cell_of_(backend.memory()),
       cell_begin_(backend.memory()),
       cell_end_(backend.memory()),
-      blocks_wanted_(backend.device().empty()),
+      blocks_wanted_(backend.on_host()),
       copy_source_(backend.memory()),
       copy_offset_(three<double>(backend.memory())),
       outside_origin_(three<double>(backend.memory())),
@@ -125,21 +121,25 @@ void Neighbourhood::keep_inside(Particles& particles, Index i) const {
   }
 }
 
-// On a device only those that have left the box are looked at from the host.
 void Neighbourhood::keep_inside(Particles& particles) {
-  Index count = particles.count();
-  const bool all = backend_.device().empty();
-  if (!all) {
+  const Index count = particles.count();
+  const auto at = places(particles.position);
+  Index* left = nullptr;
+  Index number = count;
+  // On a device it finds who left the box, so that no others come to the host.
+  if (!backend_.on_host()) {
     order_.resize(particles.id.size());
-    count = backend_.cells().find_outside(places(particles.position).data(), scene_.box.data(), scene_.dimension, count,
-                                          order_.data());
+    left = order_.data();
+    number = backend_.cells().find_outside(at.data(), scene_.box.data(), scene_.dimension, count, left);
     backend_.finish();
   }
   exec::FirstFailure failure;
 #pragma omp parallel for schedule(static)
-  for (Index n = 0; n < count; ++n) {
+  for (Index n = 0; n < number; ++n) {
+    const Index i = left == nullptr ? n : left[n];
+    if (exec::is_inside(at.data(), scene_.box.data(), scene_.dimension, i)) continue;
     try {
-      keep_inside(particles, all ? n : order_[static_cast<std::size_t>(n)]);
+      keep_inside(particles, i);
     } catch (...) {
       failure.keep();
     }
@@ -176,84 +176,6 @@ void Neighbourhood::find_cells() {
   const auto count = static_cast<Index>(sorted_position_[0].size());
   cell_of_.resize(static_cast<std::size_t>(count));
   backend_.cells().find_cells(grid_, places(sorted_position_).data(), count, cell_of_.data());
-}
-
-// What lies beyond the faces is stored behind the particles, by cell like them; its cells lie in the padding.
-void Neighbourhood::make_outside() {
-  const auto count = static_cast<Index>(sorted_position_[0].size());
-  Copies made;
-  backend_.finish();
-  boundary_.copies(scene_, places(sorted_position_).data(), count, scene_.support + skin_, made);
-  if (!made.source.empty() && !dummies_.position.empty())
-    throw Error(
-        ExitCode::plugin_refused,
-        "the boundary gives copies and dummies: it can have one or the other; an axis that wraps needs neither");
-  std::vector<CellGrid::Cell> cell;
-  for (std::size_t n = 0; n < made.source.size(); ++n)
-    cell.push_back(grid_.of_copy(sorted_at(made.source[n]), made.offset[n]));
-  for (const auto& at : dummies_.position) cell.push_back(grid_.of_dummy(at));
-
-  const std::vector<Index> order = order_outside(cell);
-  const auto permuted = [&](auto& from) {
-    auto to = from;
-    for (std::size_t n = 0; n < to.size(); ++n) to[n] = from[static_cast<std::size_t>(order[n])];
-    return to;
-  };
-  if (dummies_.position.empty()) {
-    copies_.source = permuted(made.source);
-    copies_.offset = permuted(made.offset);
-  } else {
-    dummies_.position = permuted(dummies_.position);
-    dummies_.mirror = permuted(dummies_.mirror);
-  }
-
-  copy_source_.assign(copies_.source.begin(), copies_.source.end());
-  const std::size_t stored = static_cast<std::size_t>(count) + cell.size() + pack_tail;
-  for (int d = 0; d < scene_.dimension; ++d) {
-    copy_offset_[d].clear();
-    for (const auto& offset : copies_.offset) copy_offset_[d].push_back(offset[d]);
-    outside_origin_[d].resize(cell.size());
-    for (std::size_t n = 0; n < cell.size(); ++n)
-      outside_origin_[d][n] = grid_.tile_origin(d, cell[static_cast<std::size_t>(order[n])][d]);
-    const auto place_dummies = [&](auto& local) {
-      using Real = typename std::decay_t<decltype(local)>::value_type;
-      local.resize(stored);
-      std::fill(local.begin() + count, local.end(), Real(0));
-      for (std::size_t n = 0; n < dummies_.position.size(); ++n)
-        local[static_cast<std::size_t>(count) + n] = Real(dummies_.position[n][d] - outside_origin_[d][n]);
-    };
-    if (scene_.precision == Precision::single_precision) {
-      place_dummies(local_single_[d]);
-    } else {
-      place_dummies(local_double_[d]);
-    }
-  }
-  ++sorted_version_;
-}
-
-// By cell, and as they came within a cell; fills the cell tables.
-std::vector<Index> Neighbourhood::order_outside(const std::vector<CellGrid::Cell>& cell) {
-  std::vector<Index> begin(static_cast<std::size_t>(grid_.padded_count()) + 1, 0);
-  for (const auto& at : cell) ++begin[static_cast<std::size_t>(grid_.padded_index(at)) + 1];
-  std::partial_sum(begin.begin(), begin.end(), begin.begin());
-  std::vector<Index> next(begin.begin(), begin.end() - 1);
-  std::vector<Index> order(cell.size());
-  for (std::size_t n = 0; n < cell.size(); ++n)
-    order[static_cast<std::size_t>(next[static_cast<std::size_t>(grid_.padded_index(cell[n]))]++)] =
-        static_cast<Index>(n);
-  fill_cell_tables(begin);
-  return order;
-}
-
-void Neighbourhood::fill_cell_tables(const std::vector<Index>& outside_begin) {
-  const auto count = static_cast<Index>(cell_of_.size());
-  cell_begin_.resize(outside_begin.size() - 1);
-  cell_end_.resize(outside_begin.size() - 1);
-  for (std::size_t c = 0; c < cell_begin_.size(); ++c) {
-    cell_begin_[c] = count + outside_begin[c];
-    cell_end_[c] = count + outside_begin[c + 1];
-  }
-  backend_.cells().find_ranges(grid_, cell_of_.data(), count, cell_begin_.data(), cell_end_.data());
 }
 
 // Coordinates relative to tiles; false if a particle has left the skin.

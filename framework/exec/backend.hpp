@@ -146,6 +146,7 @@ class CellLoops {
 
 /// Where a run computes: the host, or a CUDA device. Work on a device is only asked for; finish() before the host
 /// looks.
+/// One for the process: runs that share it take turns.
 class MESOGEN_EXPORT Backend {
  public:
   Backend() = default;
@@ -155,6 +156,7 @@ class MESOGEN_EXPORT Backend {
 
   /// "NVIDIA H200"; empty on the host.
   [[nodiscard]] virtual std::string device() const = 0;
+  [[nodiscard]] bool on_host() const { return device().empty(); }
   [[nodiscard]] virtual exec::Space space() const = 0;
   [[nodiscard]] virtual exec::Memory& memory() const = 0;
   /// Waits until all that was asked for is done. Throws Error(run_failed) if some of it failed.

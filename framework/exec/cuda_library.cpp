@@ -3,6 +3,7 @@
 #include <dlfcn.h>
 
 #include <filesystem>
+#include <string_view>
 
 namespace mesogen {
 
@@ -19,10 +20,19 @@ CudaBackend cuda_backend() {
     const char* const reason = dlerror();
     return {nullptr, std::string("the dynamic linker refuses its code for CUDA: ") + (reason ? reason : "no reason")};
   }
-  using Give = const CudaBackend* (*)();
-  const auto give = reinterpret_cast<Give>(dlsym(library, cuda_backend_symbol));
-  if (give == nullptr) return {nullptr, file.string() + " exports no " + cuda_backend_symbol};
-  return *give();
+  const auto* const found = static_cast<const CudaLibrary*>(dlsym(library, cuda_library_symbol));
+  if (found == nullptr) return {nullptr, file.string() + " exports no `" + cuda_library_symbol + "`"};
+  if (const std::string problem = cuda_library_problem(*found); !problem.empty())
+    return {nullptr, file.string() + ": " + problem};
+  return *found->backend();
+}
+
+std::string cuda_library_problem(const CudaLibrary& library) {
+  if (library.magic != cuda_library_magic) return "what it exports is not Mesogen's code for CUDA";
+  if (library.build == nullptr || library.build != std::string_view(MESOGEN_CUDA_BUILD))
+    return std::string("it belongs to another Mesogen (") + (library.build == nullptr ? "unknown" : library.build) +
+           ") than this one (" MESOGEN_CUDA_BUILD "): build and install both together";
+  return {};
 }
 
 }  // namespace mesogen

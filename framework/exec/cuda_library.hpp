@@ -1,9 +1,11 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 
 #include "exec/backend.hpp"
 #include "mesogen/export.hpp"
+#include "mesogen/plugin/descriptor.hpp"
 
 namespace mesogen {
 
@@ -17,8 +19,22 @@ struct CudaBackend {
 /// variable MESOGEN_CUDA_ON_HOST = 1 the same code runs on the host: for tests, where there is no device.
 [[nodiscard]] MESOGEN_EXPORT CudaBackend cuda_backend();
 
-/// Name of the function that the library exports: CudaBackend* (), once for the life of the process.
-inline constexpr const char* cuda_backend_symbol = "mesogen_cuda_backend";
+/// The one thing that the library exports, under the name `mesogen_cuda`: plain data, checked before anything behind it
+/// is touched. Types inside of Mesogen cross this border, so both sides are to be of one build.
+struct CudaLibrary {
+  std::uint64_t magic;
+  const char* build;                ///< MESOGEN_CUDA_BUILD of the library
+  const CudaBackend* (*backend)();  ///< the same answer for the life of the process
+};
+
+inline constexpr std::uint64_t cuda_library_magic = 0x4d65736f43554441;  // "MesoCUDA"
+inline constexpr const char* cuda_library_symbol = "mesogen_cuda";
 inline constexpr const char* cuda_on_host_variable = "MESOGEN_CUDA_ON_HOST";
+
+/// Of which build a side is; each says it for itself.
+#define MESOGEN_CUDA_BUILD MESOGEN_VERSION ", interface " MESOGEN_STRINGIFY(MESOGEN_ABI) ", " MESOGEN_BUILD_TAG
+
+/// What is wrong with what a library exports, in words; empty if nothing.
+[[nodiscard]] MESOGEN_EXPORT std::string cuda_library_problem(const CudaLibrary& library);
 
 }  // namespace mesogen

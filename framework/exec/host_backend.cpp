@@ -1,6 +1,7 @@
 #include "exec/backend.hpp"
 #include "exec/loops_here.hpp"
 #include "exec/order_by_cell.hpp"
+#include "exec/outside.hpp"
 #include "schedule/advection.hpp"
 
 namespace mesogen {
@@ -25,7 +26,7 @@ class HostBackend final : public Backend {
   [[nodiscard]] exec::Space space() const override { return {}; }
   [[nodiscard]] exec::Memory& memory() const override { return exec::Memory::host(); }
   void finish() const override {}
-  void collect() const override {}
+  void collect() const override { findings_.collect({}); }
   [[nodiscard]] double found(exec::Finding finding) const override { return findings_.found(finding); }
   [[nodiscard]] const exec::CellLoops& cells() const override { return cells_; }
   [[nodiscard]] Pass advection(const FieldDeclaration& field, const Transport& transport) const override {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <stdexcept>
+
 #include "exec/backend.hpp"
 #include "mesogen/exec/blocks.hpp"
 #include "mesogen/exec/for_each.hpp"
@@ -18,22 +20,30 @@ class Findings {
   Findings(const Findings&) = delete;
   Findings& operator=(const Findings&) = delete;
 
-  /// The first of the next `count` numbers: good until some 60 more were taken.
+  /// The first of the next `count` numbers. Throws std::logic_error if that would overwrite what was not collected.
   Finding take(int count) {
-    if (next_ + count > size) next_ = 0;
+    if (next_ + count > size) {
+      next_ = 0;
+      ++rounds_;
+    }
+    if (rounds_ > 1 || (rounds_ == 1 && next_ + count > collected_))
+      throw std::logic_error("more is looked for at a time than there is room to note");
     next_ += count;
     return {next_ - count};
   }
-  /// Waits for all that was asked for.
-  void collect(const Space& space) const {
+  /// Waits for all that was asked for; whether it came is for the backend to ask.
+  void collect(const Space& space) {
 #ifdef __CUDACC__
-    if (!space.device) return;
-    const auto stream = static_cast<cudaStream_t>(space.stream);
-    cudaMemcpyAsync(host_, device_, size * sizeof(double), cudaMemcpyDeviceToHost, stream);
-    cudaStreamSynchronize(stream);
+    if (space.device) {
+      const auto stream = static_cast<cudaStream_t>(space.stream);
+      (void)cudaMemcpyAsync(host_, device_, size * sizeof(double), cudaMemcpyDeviceToHost, stream);
+      (void)cudaStreamSynchronize(stream);
+    }
 #else
     (void)space;
 #endif
+    rounds_ = 0;
+    collected_ = next_;
   }
   [[nodiscard]] double found(Finding finding) const { return host_[finding.place]; }
 
@@ -45,6 +55,8 @@ class Findings {
   double* device_;
   double* host_;
   int next_ = 0;
+  int collected_ = 0;  // the place behind the last that was
+  int rounds_ = 0;     // how often the places were begun anew since
 };
 
 /// `Count` numbers, none of them below zero or not a number.

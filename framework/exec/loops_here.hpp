@@ -49,7 +49,10 @@ class LoopsHere final : public Loops<Real> {
   }
   Finding is_outside(FieldView<const Real> field, int components, Index count, double lowest,
                      double highest) const override {
-    return find_largest<1>(space_, findings_, count, Outside<Real>{field, components, Real(lowest), Real(highest)});
+    if (components == 1)
+      return find_largest<1>(space_, findings_, count, ValueOutside<Real>{field, Real(lowest), Real(highest)});
+    return find_largest<1>(space_, findings_, count,
+                           LengthOutside<Real>{field, components, Real(lowest), Real(highest)});
   }
   bool place(const CellGrid& grid, const Placing<Real>& placing) const override {
     const Finding strayed =

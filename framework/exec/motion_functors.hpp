@@ -106,18 +106,25 @@ struct SquaredChange {
   }
 };
 
-/// Raises above zero if a value, or a vector's length, is outside the bounds or not a number.
+/// Raises above zero if a value is outside the bounds or not a number.
 template <class Real>
-struct Outside {
+struct ValueOutside {
+  FieldView<const Real> field;
+  Real lowest, highest;
+
+  MESOGEN_HOST_DEVICE void operator()(Index i, Maxima<1>& outside) const {
+    if (!(field(i) >= lowest) || !(field(i) <= highest)) outside.value[0] = 1.0;
+  }
+};
+
+/// The same of a vector's length.
+template <class Real>
+struct LengthOutside {
   FieldView<const Real> field;
   int components;
   Real lowest, highest;
 
   MESOGEN_HOST_DEVICE void operator()(Index i, Maxima<1>& outside) const {
-    if (components == 1) {
-      if (!(field(i) >= lowest) || !(field(i) <= highest)) outside.value[0] = 1.0;
-      return;
-    }
     Real square(0);
     for (int c = 0; c < components; ++c) square += field(c, i) * field(c, i);
     if (!(square <= highest * highest) || (lowest > Real(0) && !(square >= lowest * lowest))) outside.value[0] = 1.0;

@@ -11,8 +11,4 @@ namespace mesogen::exec {
 /// positions alone.
 MESOGEN_EXPORT void order_by_cell(const Index* cell, const std::int64_t* id, Index count, int cells, Index* order);
 
-/// On the host: particles outside [0, box) along some axis, or nowhere; returns how many they are.
-MESOGEN_EXPORT Index find_outside(const double* const* position, const double* box, int dimension, Index count,
-                                  Index* found);
-
 }  // namespace mesogen::exec

@@ -72,9 +72,12 @@ void Field::fill_zero() {
   }
 }
 
-void Field::copy_master(Field& of) {
-  for (int c = 0; c < components_; ++c)
-    backend_.cells().copy(of.master().component(c), master().component(c), particles_);
+void Field::exchange_master(Field& other) {
+  if (components_ != other.components_ || stride_ != other.stride_)
+    throw std::logic_error("'" + name_ + "' and '" + other.name_ + "' are stored in different ways");
+  double_.swap(other.double_);
+  ++version;
+  ++other.version;
 }
 
 void Field::permute(const exec::Array<Index>& order, Scratch& scratch) {

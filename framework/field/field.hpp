@@ -39,8 +39,9 @@ class MESOGEN_EXPORT Field {
   [[nodiscard]] double value(int component, Index particle) const;
   void set(int component, Index particle, double value);
   void fill_zero();
-  /// Takes the doubles of an integrated field of as many components.
-  void copy_master(Field& of);
+  /// Exchanges the doubles of two integrated fields of as many components, without touching them. What lies beyond the
+  /// faces of either is out of date then.
+  void exchange_master(Field& other);
 
   /// Room that permuting a field takes; one for all of them.
   struct Scratch {

@@ -47,16 +47,18 @@ class Counted {
   }
 
   [[nodiscard]] double positions() const {
-    const double start = axes_ * exact;                            // where the case puts them
-    const double now = axes_ * (exact + 4.0) + 8.0;                // position, image, id
-    const double sorted = axes_ * exact + 4.0 + 4.0 + 8.0;         // position at the last sorting, cell, order, blocks
+    const double start = axes_ * exact;              // where the case puts them
+    const double now = axes_ * (exact + 4.0) + 8.0;  // position, image, id
+    // Position at the last sorting, cell, order, blocks; room in which particles change places.
+    const double sorted = axes_ * exact + 4.0 + 4.0 + 8.0 + (exact + 4.0 + 8.0);
     return particles_ * (start + now + sorted + axes_ * number_);  // and relative to a tile
   }
 
   [[nodiscard]] double neighbour_search() const {
     const double beyond = axes_ * (exact + number_);             // tile, and position relative to it
     const double wall = 48.0 + neighbours_ / 2.0 * 16.0 + 64.0;  // dummy and mirror; weights; a vector's room
-    return 8.0 * grid_.padded_count() + blocks() + copies_ * (28.0 + beyond) + dummies_ * (wall + beyond);
+    return 8.0 * grid_.padded_count() + blocks() + copies_ * (32.0 + axes_ * exact + beyond) +
+           dummies_ * (wall + beyond);
   }
 
   [[nodiscard]] double blocks() const { return blocks_ * sizeof(NeighbourBlock); }

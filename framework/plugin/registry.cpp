@@ -204,21 +204,33 @@ bool PluginRegistry::has_cuda(std::string_view physics) const {
   return plugin != nullptr && !plugin::cuda_variant(plugin->file, plugin->instruction_set).empty();
 }
 
+PluginRegistry::CudaTwin PluginRegistry::cuda_twin(std::string_view physics) const {
+  const auto* const plugin = find(PluginKind::physics, physics);
+  if (plugin == nullptr) throw missing(PluginKind::physics, physics);
+  const fs::path file = plugin::cuda_variant(plugin->file, plugin->instruction_set);
+  const plugin::LoadResult loaded = plugin::load(file);
+  const auto refused = [&](const std::string& reason) {
+    return CudaTwin{
+        nullptr, fmt::format("the physics plugin \"{}\" for CUDA was refused: {}: {}", physics, file.string(), reason)};
+  };
+  if (loaded.descriptor == nullptr) return refused(loaded.problem);
+  const auto whole_name = [](const PluginDescriptor& one) {
+    return fmt::format("{} {} {}", to_string(one.kind), one.name, one.version);
+  };
+  const std::string name = whole_name(*loaded.descriptor);
+  if (name != whole_name(*plugin->descriptor))
+    return refused(fmt::format("it is {}, where {} is {}: build both again", name, plugin->file.string(),
+                               whole_name(*plugin->descriptor)));
+  return {loaded.descriptor, {}};
+}
+
+std::string PluginRegistry::cuda_problem(std::string_view physics) const { return cuda_twin(physics).problem; }
+
 std::unique_ptr<Physics> PluginRegistry::make_physics_for_cuda(std::string_view name, Precision precision,
                                                                int dimension) const {
-  const auto* const plugin = find(PluginKind::physics, name);
-  if (plugin == nullptr) throw missing(PluginKind::physics, name);
-  const fs::path file = plugin::cuda_variant(plugin->file, plugin->instruction_set);
-  if (file.empty()) return nullptr;
-  const plugin::LoadResult loaded = plugin::load(file);
-  if (loaded.descriptor == nullptr)
-    throw Error(ExitCode::plugin_refused, fmt::format("the physics plugin \"{}\" for CUDA was refused: {}: {}", name,
-                                                      file.string(), loaded.problem));
-  if (loaded.descriptor->kind != PluginKind::physics || loaded.descriptor->name != name)
-    throw Error(ExitCode::plugin_refused,
-                fmt::format("{} should be the physics plugin \"{}\" for CUDA, and is the {} \"{}\": build it again",
-                            file.string(), name, to_string(loaded.descriptor->kind), loaded.descriptor->name));
-  return std::unique_ptr<Physics>(static_cast<Physics*>(create(*loaded.descriptor, precision, dimension)));
+  const CudaTwin twin = cuda_twin(name);
+  if (twin.descriptor == nullptr) throw Error(ExitCode::plugin_refused, twin.problem);
+  return std::unique_ptr<Physics>(static_cast<Physics*>(create(*twin.descriptor, precision, dimension)));
 }
 
 }  // namespace mesogen

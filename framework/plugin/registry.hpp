@@ -68,7 +68,9 @@ class MESOGEN_EXPORT PluginRegistry {
   [[nodiscard]] std::unique_ptr<Physics> make_physics(std::string_view name, Precision precision, int dimension) const;
   /// Has a physics plugin a library for CUDA?
   [[nodiscard]] bool has_cuda(std::string_view physics) const;
-  /// The same from the plugin's library for CUDA, loaded when first asked for; null if it has none.
+  /// Loads that library: why it cannot be used; empty if it can.
+  [[nodiscard]] std::string cuda_problem(std::string_view physics) const;
+  /// The same from the plugin's library for CUDA, which it must have.
   [[nodiscard]] std::unique_ptr<Physics> make_physics_for_cuda(std::string_view name, Precision precision,
                                                                int dimension) const;
 
@@ -77,6 +79,11 @@ class MESOGEN_EXPORT PluginRegistry {
   void add_folder(const std::filesystem::path& folder);
   void add_file(const std::filesystem::path& file);
   void sort();
+  struct CudaTwin {
+    const PluginDescriptor* descriptor = nullptr;
+    std::string problem;
+  };
+  [[nodiscard]] CudaTwin cuda_twin(std::string_view physics) const;
   void* create(PluginKind kind, std::string_view name, Precision precision, int dimension) const;
   void* create(const PluginDescriptor& descriptor, Precision precision, int dimension) const;
 

@@ -100,7 +100,7 @@ void DerivedFields::add_passes(const Wanted& wanted, bool correction, bool at_ea
     }
     pass.sources.assign(pass.components.size(), 0);
     // A device computes a weight faster than it reads one.
-    const bool on_host = world_.backend.device().empty();
+    const bool on_host = world_.backend.on_host();
     if (on_host && at_each_step && !form_.particles_move && !pass.components.empty())
       pass.weights = std::make_unique<Weights>();
     pass.finding.title = "framework: weights of " + pass.counter.title;

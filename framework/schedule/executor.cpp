@@ -92,7 +92,7 @@ Executor::Executor(World& world, StepGraph& graph, DerivedFields& derived)
   for (Work& work : graph_.works())
     if (work.pass.phase == Phase::observe) observed_.push_back({&work, 0, {}});
   // Whose code runs on the host looks for neighbours there.
-  if (!world_.backend.device().empty())
+  if (!world_.backend.on_host())
     world_.neighbourhood.find_blocks_for_host(std::any_of(
         graph_.works().begin(), graph_.works().end(),
         [](const Work& work) { return !work.on_device && !work.pass.neighbour_reads.empty() && !work.pruned(); }));

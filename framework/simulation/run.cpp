@@ -61,7 +61,6 @@ class Run {
     stepper_.start();
     observation_.start();
     observation_.observe(std::vector<bool>(setup_.observers.size() + 1, true), results);
-    if (!setup_.backend->device().empty()) tell_device();
     log_.info(fmt::format("{} particles, {} threads, {}, first step {} s (limit: {})", setup_.scene.particle_count,
                           omp_get_max_threads(), precision(), rounded_text(stepper_.next_step(end()).seconds),
                           stepper_.next_step(end()).limit));
@@ -75,6 +74,8 @@ class Run {
     return setup_.scene.precision == Precision::single_precision ? "single precision" : "double precision";
   }
   void tell_device() {
+    if (!setup_.why_on_host.empty()) log_.info("computing on the host: " + setup_.why_on_host);
+    if (setup_.backend->on_host()) return;
     log_.info("computing on " + setup_.backend->device());
     for (const auto& member : setup_.physics)
       if (!member.on_device)
@@ -98,6 +99,7 @@ class Run {
 
   ExitCode go_on(ResultsWriter& results) {
     const World& world = stepper_.world();
+    tell_device();
     write_checkpoint(results);
     const auto begun = Clock::now();
     const double cpu_before = cpu_seconds();

@@ -6,9 +6,9 @@
 
 #include "case/nearest.hpp"
 #include "case/resolved.hpp"
-#include "exec/cuda_library.hpp"
 #include "initial/fields.hpp"
 #include "plugin/plugin_call.hpp"
+#include "simulation/choose_backend.hpp"
 #include "simulation/rounded_text.hpp"
 #include "sph/lattice.hpp"
 #include "sph/standard_passes.hpp"
@@ -91,17 +91,10 @@ void SetupBuilder::read(const PluginChoice& choice, const ParameterList& list) {
 }
 
 void SetupBuilder::choose_backend() {
-  const std::string& device = source_.run.device;
-  const bool all_have_code =
-      std::ranges::all_of(source_.physics, [&](const PluginChoice& choice) { return registry_.has_cuda(choice.type); });
-  if (device == "cpu" || (device == "auto" && !all_have_code)) return;
-  const CudaBackend cuda = cuda_backend();
-  if (cuda.backend != nullptr) {
-    setup_.backend = cuda.backend;
-  } else if (device == "cuda") {
-    problems_.add(source_.place("run.device"), "run.device",
-                  cuda.problem + R"(; take "cpu", or "auto" for CUDA where that can be)");
-  }
+  BackendChoice choice = mesogen::choose_backend(source_, registry_);
+  setup_.backend = choice.backend;
+  setup_.why_on_host = std::move(choice.why_on_host);
+  if (!choice.problem.empty()) problems_.add(source_.place("run.device"), "run.device", choice.problem);
 }
 
 void SetupBuilder::make_plugins() {
@@ -121,7 +114,7 @@ void SetupBuilder::make_plugins() {
   setup_.kernel = make(source_.kernel, [&](const std::string& type) { return registry_.make_kernel(type); });
   simple(source_.kernel, setup_.kernel);
   for (const PluginChoice& choice : source_.physics) {
-    const bool on_device = !setup_.backend->device().empty() && registry_.has_cuda(choice.type);
+    const bool on_device = !setup_.backend->on_host() && registry_.has_cuda(choice.type);
     auto plugin = make(choice, [&](const std::string& type) {
       return on_device ? registry_.make_physics_for_cuda(type, source_.run.precision, 2)
                        : registry_.make_physics(type, source_.run.precision, 2);
@@ -129,8 +122,7 @@ void SetupBuilder::make_plugins() {
     simple(choice, plugin);
     if (plugin) setup_.physics.push_back({"physics." + choice.instance, std::move(plugin), {}, choice.type, on_device});
   }
-  setup_.instruction_sets =
-      "derivatives " + (setup_.backend->device().empty() ? sph::instruction_set() : std::string("cuda"));
+  setup_.instruction_sets = "derivatives " + (setup_.backend->on_host() ? sph::instruction_set() : std::string("cuda"));
   for (const auto& member : setup_.physics)
     if (const LoadedPlugin* const plugin = registry_.find(PluginKind::physics, member.type))
       setup_.instruction_sets += ", " + member.type + " " + (member.on_device ? "cuda" : plugin->instruction_set);

@@ -39,6 +39,7 @@ struct MESOGEN_EXPORT Setup {
 
   Case source;
   const Backend* backend = &Backend::host();  ///< where it runs
+  std::string why_on_host;                    ///< where a device would have been taken, had it been possible
   std::unique_ptr<Kernel> kernel;
   std::unique_ptr<Boundary> boundary;
   std::vector<PhysicsMember> physics;

@@ -118,6 +118,7 @@ void Stepper::advance(double step_size, const std::vector<bool>& reader_due, std
   const auto timed = [this](Counter& counter, const auto& action) {
     const Span part(counter, world_.trace);
     action();
+    world_.end_of_work();
   };
   world_.step_size = step_size;
   timed(integration_, [&] { integrator_.predict(step_size); });

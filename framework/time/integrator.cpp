@@ -79,8 +79,9 @@ std::optional<exec::Finding> Integrator::move(double by, double shift_by) {
 void Integrator::predict(double step_size) {
   for (const Advanced& one : advanced_) {
     if (!one.predicted) continue;
-    if (one.start != nullptr) one.start->copy_master(*one.field);
-    advance(one, *one.field, step_size / 2.0);
+    // The prediction is written where the start of the last step was.
+    if (one.start != nullptr) one.start->exchange_master(*one.field);
+    advance(one, one.start != nullptr ? *one.start : *one.field, step_size / 2.0);
   }
   if (way_to_midpoint_ == nullptr) {
     move(step_size / 2.0, 0.0);

@@ -13,6 +13,7 @@
 #include "exec/cuda_library.hpp"
 #include "exec/loops_here.hpp"
 #include "exec/order_by_cell.hpp"
+#include "exec/outside.hpp"
 #include "mesogen/diagnostics/error.hpp"
 #include "schedule/advection.hpp"
 
@@ -31,10 +32,12 @@ class SharedMemory final : public exec::Memory {
  public:
   [[nodiscard]] void* allocate(std::size_t bytes) override {
     void* place = nullptr;
-    if (cudaMallocManaged(&place, bytes == 0 ? 1 : bytes) != cudaSuccess) {
+    const cudaError_t status = cudaMallocManaged(&place, bytes == 0 ? 1 : bytes);
+    if (status == cudaErrorMemoryAllocation) {
       (void)cudaGetLastError();
       throw std::bad_alloc();
     }
+    check(status, "taking memory");  // it also tells of what went wrong before
     return place;
   }
   void release(void* place) noexcept override { (void)cudaFree(place); }
@@ -77,14 +80,15 @@ struct SortingKey {
   }
 };
 
-__global__ void note_outside(const double* x, const double* y, const double* z, double width, double height,
-                             double depth, int dimension, Index count, Index* found, Index* number) {
+struct Box {
+  const double* position[3];
+  double length[3];
+  int dimension;
+};
+
+__global__ void note_outside(Box box, Index count, Index* found, Index* number) {
   const Index i = static_cast<Index>(blockIdx.x * blockDim.x + threadIdx.x);
-  if (i >= count) return;
-  bool inside = x[i] >= 0.0 && x[i] < width;
-  if (dimension > 1) inside = inside && y[i] >= 0.0 && y[i] < height;
-  if (dimension > 2) inside = inside && z[i] >= 0.0 && z[i] < depth;
-  if (!inside) found[atomicAdd(number, 1)] = i;
+  if (i < count && !exec::is_inside(box.position, box.length, box.dimension, i)) found[atomicAdd(number, 1)] = i;
 }
 
 class CudaCellLoops final : public exec::CellLoopsHere {
@@ -117,8 +121,8 @@ class CudaCellLoops final : public exec::CellLoopsHere {
     auto* const number = static_cast<Index*>(number_.of(sizeof(Index)));
     check(cudaMemsetAsync(number, 0, sizeof(Index), stream), "looking for who left the box");
     constexpr int block = 256;
-    note_outside<<<(count + block - 1) / block, block, 0, stream>>>(position[0], position[1], position[2], box[0],
-                                                                    box[1], box[2], dimension, count, found, number);
+    const Box all{{position[0], position[1], position[2]}, {box[0], box[1], box[2]}, dimension};
+    note_outside<<<(count + block - 1) / block, block, 0, stream>>>(all, count, found, number);
     Index left = 0;
     check(cudaMemcpyAsync(&left, number, sizeof(Index), cudaMemcpyDeviceToHost, stream),
           "looking for who left the box");
@@ -179,7 +183,7 @@ class OnCuda final : public Backend {
 
 CudaBackend on_host() { return {new OnCuda({}, "the host, for a test", nullptr, nullptr), {}}; }
 
-/// The first device that is good enough.
+/// The first device: CUDA_VISIBLE_DEVICES says which that is.
 CudaBackend on_device() {
   int devices = 0;
   const cudaError_t status = cudaGetDeviceCount(&devices);
@@ -214,12 +218,15 @@ CudaBackend make() {
   }
 }
 
+const CudaBackend* backend() {
+  // Never destroyed: the device may be gone before everything that lies in its memory is.
+  static const auto* const made = new CudaBackend(make());
+  return made;
+}
+
 }  // namespace
 
 }  // namespace mesogen
 
-extern "C" MESOGEN_EXPORT const mesogen::CudaBackend* mesogen_cuda_backend() {
-  // Never destroyed: the device may be gone before everything that lies in its memory is.
-  static const auto* const made = new mesogen::CudaBackend(mesogen::make());
-  return made;
-}
+extern "C" MESOGEN_EXPORT const mesogen::CudaLibrary mesogen_cuda;
+const mesogen::CudaLibrary mesogen_cuda{mesogen::cuda_library_magic, MESOGEN_CUDA_BUILD, &mesogen::backend};

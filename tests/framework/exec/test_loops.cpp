@@ -2,14 +2,18 @@
 // and tests/device.
 
 #include <gtest/gtest.h>
+#include <omp.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <random>
 #include <vector>
 
 #include "domain/cell_grid.hpp"
 #include "exec/backend.hpp"
+#include "exec/largest.hpp"
 
 namespace {
 
@@ -140,6 +144,49 @@ TEST(CellLoops, OrderAndRangesAgree) {
     EXPECT_EQ(end[index], next);
   }
   EXPECT_EQ(next, count);
+}
+
+TEST(CellLoops, OrderDoesNotDependOnThreads) {
+  constexpr int cells = 50;
+  const int usual = omp_get_max_threads();
+  for (const Index count : {0, 1, 3, 1000}) {
+    std::vector<Index> cell;
+    std::vector<std::int64_t> id;
+    for (Index i = 0; i < count; ++i) {
+      cell.push_back((i * 37) % cells);
+      id.push_back((i * 7) % 1001);
+    }
+    std::vector<Index> expected(cell.size());
+    std::iota(expected.begin(), expected.end(), 0);
+    std::sort(expected.begin(), expected.end(), [&](Index a, Index b) {
+      const auto key = [&](Index i) {
+        return std::pair(cell[static_cast<std::size_t>(i)], id[static_cast<std::size_t>(i)]);
+      };
+      return key(a) < key(b);
+    });
+    for (const int threads : {1, 2, 3, 7, 64}) {
+      omp_set_num_threads(threads);
+      std::vector<Index> order(cell.size());
+      Backend::host().cells().order(cell.data(), id.data(), count, cells, order.data());
+      EXPECT_EQ(order, expected) << count << " particles, " << threads << " threads";
+    }
+  }
+  omp_set_num_threads(usual);
+}
+
+TEST(Findings, AreNotOverwrittenBeforeTheyAreCollected) {
+  exec::Findings findings;
+  for (int round = 0; round < 3; ++round) {
+    for (int n = 0; n < exec::Findings::size / 2; ++n) findings.take(1);
+    findings.collect({});
+  }
+  for (int n = 0; n < exec::Findings::size; ++n) findings.take(1);
+  try {
+    findings.take(1);
+    FAIL() << "more than there is room for";
+  } catch (const std::logic_error& error) {
+    EXPECT_STREQ(error.what(), "more is looked for at a time than there is room to note");
+  }
 }
 
 TEST(CellLoops, FindWhoLeftTheBox) {

@@ -83,4 +83,43 @@ TEST(FieldStore, FindsByNameAndRefusesTwins) {
   }
 }
 
+TEST(Field, ExchangesWhatIsAdvancedAndLeavesWhatPassesSee) {
+  for (const Precision precision : {Precision::single_precision, Precision::double_precision}) {
+    Field field("u", 2, precision, true);
+    Field start("start of u", 2, Precision::double_precision, true);
+    for (Field* const one : {&field, &start}) one->resize(3, 2);
+    for (int c = 0; c < 2; ++c) {
+      for (Index i = 0; i < 3; ++i) {
+        field.set(c, i, 10.0 * c + i);
+        start.set(c, i, -10.0 * c - i);
+      }
+    }
+    const auto versions = std::pair(field.version, start.version);
+    field.exchange_master(start);
+    for (int c = 0; c < 2; ++c) {
+      for (Index i = 0; i < 3; ++i) {
+        EXPECT_EQ(start.value(c, i), 10.0 * c + i);
+        EXPECT_EQ(field.value(c, i), -10.0 * c - i);
+        if (precision == Precision::single_precision) {
+          EXPECT_EQ(field.view<float>()(c, i), static_cast<float>(10.0 * c + i));
+        }
+      }
+    }
+    EXPECT_GT(field.version, versions.first) << "what lies beyond the faces is out of date";
+    EXPECT_GT(start.version, versions.second);
+  }
+}
+
+TEST(Field, ExchangesOnlyWhatIsStoredAlike) {
+  Field field("u", 2, Precision::double_precision, true);
+  Field other("q", 1, Precision::double_precision, true);
+  for (Field* const one : {&field, &other}) one->resize(3, 0);
+  try {
+    field.exchange_master(other);
+    FAIL() << "two components and one";
+  } catch (const std::logic_error& error) {
+    EXPECT_STREQ(error.what(), "'u' and 'q' are stored in different ways");
+  }
+}
+
 }  // namespace

@@ -48,7 +48,8 @@ class MESOGEN_EXPORT Boundary {
   /// Does the cell grid itself continue on the other side along this axis (nothing is needed beyond its faces)?
   [[nodiscard]] virtual bool wraps(int axis) const = 0;
   /// Brings a particle that left the box back in; `images[d]` counts the boxes it has crossed, so that
-  /// position + images * box is its unwrapped path. Called whenever particles are sorted anew, for each particle.
+  /// position + images * box is its unwrapped path. Called whenever particles are sorted anew, for each that is not in
+  /// [0, box) along every axis.
   virtual void keep_inside(const Scene& scene, double* position, std::int32_t* images) const = 0;
   /// Copies needed so that every particle of the box finds all neighbours within `reach`. `position[d]` points to the
   /// coordinates of all particles. The order of the copies must not depend on the number of threads.

@@ -16,7 +16,8 @@ class Observer;
 enum class PluginKind : std::int32_t { kernel = 1, boundary = 2, physics = 3, observer = 4 };
 
 /// Raised whenever a public interface changes.
-inline constexpr std::int32_t abi_number = 5;
+#define MESOGEN_ABI 5
+inline constexpr std::int32_t abi_number = MESOGEN_ABI;
 inline constexpr std::uint64_t descriptor_magic = 0x4e45474f53454d31ULL;  // "1MESOGEN" in memory
 
 /// Compiler and standard library that a plugin was built with: objects cross the boundary, so these must agree.

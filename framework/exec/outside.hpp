@@ -1,0 +1,23 @@
+#pragma once
+
+#include "mesogen/export.hpp"
+#include "mesogen/field/view.hpp"
+
+namespace mesogen::exec {
+
+/// Is a particle in [0, box) along every axis? What is not a number is not.
+MESOGEN_HOST_DEVICE inline bool is_inside(const double* const* position, const double* box, int dimension, Index i) {
+  for (int d = 0; d < dimension; ++d)
+    if (!(position[d][i] >= 0.0 && position[d][i] < box[d])) return false;
+  return true;
+}
+
+/// On the host: those that are not, in their order; returns how many they are.
+inline Index find_outside(const double* const* position, const double* box, int dimension, Index count, Index* found) {
+  Index number = 0;
+  for (Index i = 0; i < count; ++i)
+    if (!is_inside(position, box, dimension, i)) found[number++] = i;
+  return number;
+}
+
+}  // namespace mesogen::exec
