@@ -16,6 +16,7 @@ import importlib.util
 import os
 import pathlib
 import sys
+import time
 
 from speed_runs import (PROJECT, best_of, call, device_name, device_seconds, instruction_set, measure_passes,
                         peer_seconds, run_paper, tell)
@@ -25,7 +26,7 @@ KERNELS = ["quintic", "wendland_c2", "wendland_c4", "wendland_c6"]
 CORNERS = {"machine": "machine", "blocks": "precision", "passes": "pass", "kernels": "ns a pair",
            "sizes": "particles", "threads": "threads", "variants": "variant", "shares": "part of a step",
            "peers": "program", "device": "particles on the device", "device shares": "part of a step on the device"}
-MOST_LOAD = 0.5  # of the machine before measuring; what is left of a build some minutes ago is below
+MOST_LOAD = 0.2  # cores that are busy before measuring begins
 PRECISIONS = ["single", "double"]
 MACHINE = "machine of this run"
 BASE = "single precision, ghosts, quintic"
@@ -54,6 +55,17 @@ QUICK = {"passes": (120, 1, 0.01), "sizes": ([60, 100], 1, 1e5), "variants": (10
 
 def core_count():
     return len(os.sched_getaffinity(0))
+
+
+def busy_cores(seconds=2.0):
+    """How many cores compute for others, or are taken away by the host of a virtual machine."""
+    def ticks():
+        with open("/proc/stat", encoding="utf-8") as file:
+            user, nice, system, _, _, irq, softirq, steal = map(int, file.readline().split()[1:9])
+        return user + nice + system + irq + softirq + steal
+    before = ticks()
+    time.sleep(seconds)
+    return (ticks() - before) / os.sysconf("SC_CLK_TCK") / seconds
 
 
 def steps_for(particle_steps, across):
@@ -216,7 +228,7 @@ def main():
     if options.tables:
         figures = read_csv(file)
     else:
-        load = os.getloadavg()[0]
+        load = busy_cores()
         if load > MOST_LOAD:
             tell(f"warning: the machine is busy, its load is {load:.1f}: figures will be too slow")
         figures = []

@@ -103,6 +103,15 @@ build_and_test own/my_observer "$build"
 mv "$prefix" "$work/elsewhere"
 "$work/elsewhere/bin/mesogen" plugin list >list
 grep -q "wcsph " list || { echo "failed: moved elsewhere, Mesogen finds no plugins" >&2; exit 1; }
+# Its code for CUDA goes with it, and finds the CUDA runtime where the compiler found it.
+if [ -e "$work/elsewhere/lib/libmesogen_cuda.so" ]; then
+  MESOGEN_CUDA_ON_HOST=1 "$work/elsewhere/bin/mesogen" plugin check friction >list
+  grep -q "ok      CUDA agrees with the CPU" list || { echo "failed: moved elsewhere, there is no code for CUDA" >&2; exit 1; }
+  for library in libmesogen_cuda.so mesogen/plugins/cuda/wcsph.so; do
+    readelf -d "$work/elsewhere/lib/$library" | grep -q 'RUNPATH.*[$]ORIGIN.*:/.*lib' ||
+      { echo "failed: $library does not know where the CUDA runtime is" >&2; exit 1; }
+  done
+fi
 
 echo "a new force is $(grep -cvE '^[[:space:]]*(//.*)?$' own/my_physics/my_physics.cpp) lines of source without comments," \
   "with its test and CMakeLists.txt $(cat own/my_physics/*.cpp own/my_physics/CMakeLists.txt | grep -cvE '^[[:space:]]*(//.*)?$')"
