@@ -2,7 +2,6 @@
 #include "exec/loops_here.hpp"
 #include "exec/order_by_cell.hpp"
 #include "exec/outside.hpp"
-#include "schedule/advection.hpp"
 
 namespace mesogen {
 
@@ -20,27 +19,15 @@ class HostCellLoops final : public exec::CellLoopsHere {
   }
 };
 
-class HostBackend final : public Backend {
+class HostBackend final : public exec::BackendHere {
  public:
+  HostBackend() : BackendHere(exec::Space{}) {}
   [[nodiscard]] std::string device() const override { return {}; }
-  [[nodiscard]] exec::Space space() const override { return {}; }
   [[nodiscard]] exec::Memory& memory() const override { return exec::Memory::host(); }
   void finish() const override {}
-  void collect() const override { findings_.collect({}); }
-  [[nodiscard]] double found(exec::Finding finding) const override { return findings_.found(finding); }
   [[nodiscard]] const exec::CellLoops& cells() const override { return cells_; }
-  [[nodiscard]] Pass advection(const FieldDeclaration& field, const Transport& transport) const override {
-    return advection_pass(field, transport);
-  }
-
- protected:
-  [[nodiscard]] const exec::Loops<float>& single_loops() const override { return single_; }
-  [[nodiscard]] const exec::Loops<double>& double_loops() const override { return double_; }
 
  private:
-  mutable exec::Findings findings_;
-  exec::LoopsHere<float> single_{{}, findings_};
-  exec::LoopsHere<double> double_{{}, findings_};
   HostCellLoops cells_;
 };
 

@@ -5,6 +5,7 @@
 #include "exec/cell_functors.hpp"
 #include "exec/largest.hpp"
 #include "exec/motion_functors.hpp"
+#include "schedule/advection.hpp"
 #include "sph/standard_passes.hpp"
 
 /// The framework's loops as the compiler of this file makes them: included once by the host's backend, once by that of
@@ -120,6 +121,34 @@ class CellLoopsHere : public CellLoops {
   }
 
   Space space_;
+};
+
+/// All of a backend but where its memory is, how it waits, and how it puts particles in order.
+class BackendHere : public Backend {
+ public:
+  /// `there`, `here`: see Findings.
+  explicit BackendHere(const Space& space, double* there = nullptr, double* here = nullptr)
+      : space_(space), findings_(there, here), single_(space, findings_), double_(space, findings_) {}
+
+  [[nodiscard]] Space space() const override { return space_; }
+  void collect() const override {
+    findings_.collect(space_);
+    finish();
+  }
+  [[nodiscard]] double found(Finding finding) const override { return findings_.found(finding); }
+  [[nodiscard]] Pass advection(const FieldDeclaration& field, const Transport& transport) const override {
+    return advection_pass(field, transport);
+  }
+
+ protected:
+  [[nodiscard]] const Loops<float>& single_loops() const override { return single_; }
+  [[nodiscard]] const Loops<double>& double_loops() const override { return double_; }
+
+ private:
+  Space space_;
+  mutable Findings findings_;
+  LoopsHere<float> single_;
+  LoopsHere<double> double_;
 };
 
 }  // namespace mesogen::exec

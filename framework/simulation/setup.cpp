@@ -10,6 +10,7 @@
 #include "plugin/plugin_call.hpp"
 #include "simulation/choose_backend.hpp"
 #include "simulation/rounded_text.hpp"
+#include "simulation/smoothing.hpp"
 #include "sph/lattice.hpp"
 #include "sph/standard_passes.hpp"
 
@@ -147,23 +148,10 @@ void SetupBuilder::choose_kernel() {
     problems_.add(source_.kernel.type_place, source_.kernel.type_key, "this kernel cannot be used: " + problem);
     return;
   }
-  const double h = source_.smoothing_length_ratio * source_.particles.spacing;
-  setup_.smoothing.smoothing_length = h;
-  setup_.smoothing.scale = setup_.smoothing.shape.normalisation(2) / (h * h);
-  if (source_.domain.size.size() != 2) return;
-  const int axis = source_.domain.size[0] <= source_.domain.size[1] ? 0 : 1;
-  const double shortest = source_.domain.size[static_cast<std::size_t>(axis)];
-  const bool walls = setup_.boundary && !setup_.boundary->periodic(axis);
-  const double support = setup_.smoothing.radius();
-  if (support > shortest / 2.0) {
-    const double most = shortest / 2.0 / setup_.smoothing.shape.support() / source_.particles.spacing;
-    problems_.add(source_.place("kernel.smoothing_length"), "kernel.smoothing_length",
-                  "the kernel's support of " + rounded_text(support) + " m is larger than half the box (" +
-                      rounded_text(shortest / 2.0) + " m), so a particle would " +
-                      (walls ? "reach through both walls" : "meet its own image") + "; at most " +
-                      rounded_text(std::floor(most * 100.0) / 100.0) +
-                      " particle spacings here, or take a smaller particles.spacing");
-  }
+  setup_.smoothing = smoothing_of(source_, std::move(setup_.smoothing.shape));
+  const bool walls = setup_.boundary && !setup_.boundary->periodic(shortest_axis(source_));
+  if (const std::string problem = support_problem(source_, setup_.smoothing, walls); !problem.empty())
+    problems_.add(source_.place("kernel.smoothing_length"), "kernel.smoothing_length", problem);
 }
 
 void SetupBuilder::describe_scene() {

@@ -15,7 +15,6 @@
 #include "exec/order_by_cell.hpp"
 #include "exec/outside.hpp"
 #include "mesogen/diagnostics/error.hpp"
-#include "schedule/advection.hpp"
 
 namespace mesogen {
 
@@ -134,50 +133,27 @@ class CudaCellLoops final : public exec::CellLoopsHere {
   mutable Room keys_, places_, scratch_, number_;
 };
 
-class OnCuda final : public Backend {
+class OnCuda final : public exec::BackendHere {
  public:
-  /// `there` and `here`: room for findings on the device, and on the host where it can be copied to.
   OnCuda(const exec::Space& space, std::string device, double* there, double* here)
-      : space_(space),
-        device_(std::move(device)),
-        findings_(there, here),
-        single_(space, findings_),
-        double_(space, findings_),
-        cells_(space) {}
+      : BackendHere(space, there, here), device_(std::move(device)), cells_(space) {}
 
   [[nodiscard]] std::string device() const override { return device_; }
-  [[nodiscard]] exec::Space space() const override { return space_; }
   [[nodiscard]] exec::Memory& memory() const override {
-    if (!space_.device) return exec::Memory::host();
+    if (!space().device) return exec::Memory::host();
     return memory_;
   }
   void finish() const override {
-    if (!space_.device) return;
+    if (!space().device) return;
     // What was wrong with a launch is told by the first, what went wrong in a kernel by the second.
     check(cudaGetLastError(), "a pass could not start");
-    check(cudaStreamSynchronize(static_cast<cudaStream_t>(space_.stream)), "a pass");
+    check(cudaStreamSynchronize(static_cast<cudaStream_t>(space().stream)), "a pass");
   }
-  void collect() const override {
-    findings_.collect(space_);
-    finish();
-  }
-  [[nodiscard]] double found(exec::Finding finding) const override { return findings_.found(finding); }
   [[nodiscard]] const exec::CellLoops& cells() const override { return cells_; }
-  [[nodiscard]] Pass advection(const FieldDeclaration& field, const Transport& transport) const override {
-    return advection_pass(field, transport);
-  }
-
- protected:
-  [[nodiscard]] const exec::Loops<float>& single_loops() const override { return single_; }
-  [[nodiscard]] const exec::Loops<double>& double_loops() const override { return double_; }
 
  private:
-  exec::Space space_;
   std::string device_;
   mutable SharedMemory memory_;
-  mutable exec::Findings findings_;
-  exec::LoopsHere<float> single_;
-  exec::LoopsHere<double> double_;
   CudaCellLoops cells_;
 };
 

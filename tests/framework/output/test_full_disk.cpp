@@ -146,7 +146,8 @@ TEST(FullDisk, LeavesTheOlderCheckpoints) {
 TEST(FullDisk, OfRealKind) {
   for (int kilobytes = 400; kilobytes <= 1400; kilobytes += 100) {
     const SmallDisk disk(std::to_string(kilobytes) + "k");
-    if (!disk.is_mounted()) GTEST_SKIP() << "may not mount a file system";
+    if (!disk.is_mounted())
+      GTEST_SKIP() << "only root may mount a small file system to fill, and not in every container";
     std::size_t written = 0;
     const std::string why = error_of(
         [&] {
@@ -166,7 +167,7 @@ TEST(FullDisk, OfRealKind) {
 
 TEST(ReadOnlyDisk, IsNamedAndItsFramesAreReadable) {
   const SmallDisk disk("4m");
-  if (!disk.is_mounted()) GTEST_SKIP() << "may not mount a file system";
+  if (!disk.is_mounted()) GTEST_SKIP() << "only root may mount a small file system to fill, and not in every container";
   ResultsWriter writer = ResultsWriter::create(options_for(disk.path()));
   declare(writer);
   advance(writer, 0, 4, many);

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+
+#include "case/case.hpp"
+#include "mesogen/sph/kernel_function.hpp"
+
+namespace mesogen {
+
+/// The kernel of a case, from its shape.
+sph::SmoothingKernel smoothing_of(const Case& source, sph::KernelShape shape);
+
+/// The axis along which the box is shortest.
+int shortest_axis(const Case& source);
+
+/// What is wrong with the kernel's support in this box, in words; empty if nothing, or if the box has no size yet.
+/// `walls`: is the box closed along its shortest axis?
+std::string support_problem(const Case& source, const sph::SmoothingKernel& kernel, bool walls);
+
+}  // namespace mesogen
