@@ -1,12 +1,11 @@
 /// Where the director is singular: defects of charge +1/2 and -1/2, from the winding of the director on a grid.
-/// The method is in director_grid.hpp.
-#include "director_grid.hpp"
+/// The method is in mesogen/analysis/director_grid.hpp.
+#include "mesogen/analysis/director_grid.hpp"
 #include "mesogen/diagnostics/error.hpp"
-#include "mesogen/plugin/by_id.hpp"
 #include "mesogen/plugin/observer.hpp"
 #include "mesogen/plugin/plugin.hpp"
 
-namespace mesogen::defects {
+namespace mesogen {
 namespace {
 
 class Defects final : public Observer {
@@ -40,20 +39,12 @@ class Defects final : public Observer {
   }
 
   void sample(const ObserverContext& context, Sample& sample) override {
-    const ById particles(context);
     const Scene& scene = context.scene();
-    sph::SmoothingKernel kernel = context.kernel();
-    kernel.smoothing_length = smoothing_length_ * scene.spacing;
-    kernel.scale = 1.0;  // the weights are divided by their sum
-    const auto q11 = particles.values("order_tensor", 0);
-    const auto q12 = particles.values("order_tensor", 1);
-    std::vector<OrderTensor> values(particles.count());
-    for (std::size_t i = 0; i < values.size(); ++i) values[i] = {q11[i], q12[i]};
-    const DirectorGrid grid(scene, particles.positions<2>(), values, kernel);
+    const analysis::DirectorGrid grid(context, smoothing_length_);
     double plus = 0.0;
     double minus = 0.0;
     std::vector<double> rows;
-    const auto defects = without_close_pairs(grid.defects(), scene, merge_distance_ * scene.spacing);
+    const auto defects = analysis::without_close_pairs(grid.defects(), scene, merge_distance_ * scene.spacing);
     for (const auto& defect : defects) {
       (defect.charge > 0.0 ? plus : minus) += 1.0;
       rows.insert(rows.end(), {defect.position[0], defect.position[1], defect.charge, defect.orientation});
@@ -61,7 +52,7 @@ class Defects final : public Observer {
     sample.set("count_plus", plus);
     sample.set("count_minus", minus);
     sample.set("total_charge", 0.5 * (plus - minus));
-    sample.set("pair_distance", pair_distance(defects, scene));
+    sample.set("pair_distance", analysis::pair_distance(defects, scene));
     sample.set("defects", std::move(rows));
   }
 
@@ -71,7 +62,6 @@ class Defects final : public Observer {
 };
 
 }  // namespace
-}  // namespace mesogen::defects
+}  // namespace mesogen
 
-MESOGEN_OBSERVER_PLUGIN(mesogen::defects::Defects, "defects", "1.0.0",
-                        "Defects of the director: position, charge, orientation")
+MESOGEN_OBSERVER_PLUGIN(mesogen::Defects, "defects", "1.0.0", "Defects of the director: position, charge, orientation")

@@ -5,8 +5,7 @@
 ///     E(k_n) dk = sum over modes of the n-th shell of |u_k|^2 / 2,   |k| within dk / 2 of k_n = n dk,
 ///
 /// so that its integral is half the mean square velocity. dk = 2 pi / L, of the longest edge. Modes are fitted to the
-/// velocities of the particles, with what the spreading to a mesh takes away given back (mesh/particle_spectrum.hpp);
-/// they go as far as two thirds of what the mesh can tell apart.
+/// velocities of the particles (analysis/observed_modes.hpp).
 ///
 /// A shell holds more or fewer modes than its area in wave space says, and not all of one length. So a slope s is that
 /// of the power law whose sums over the very modes of the shells, sum |k|^(s - d + 1), go with k as E does: log E
@@ -15,16 +14,14 @@
 #include <memory>
 #include <numbers>
 
+#include "mesogen/analysis/observed_modes.hpp"
 #include "mesogen/diagnostics/error.hpp"
-#include "mesogen/mesh/particle_spectrum.hpp"
 #include "mesogen/plugin/by_id.hpp"
 #include "mesogen/plugin/observer.hpp"
 #include "mesogen/plugin/plugin.hpp"
 
 namespace mesogen {
 namespace {
-
-constexpr int corrections = 3;
 
 /// Modes of about one wave number.
 struct Shell {
@@ -94,54 +91,24 @@ Slope fit_slope(const std::vector<Shell>& shells, double from, double to, int di
 template <int Dim>
 class Spectrum {
  public:
-  Spectrum(const Scene& scene, double mesh_spacing) : spectrum_(grid_of(scene, mesh_spacing)) {
-    for (int d = 0; d < Dim; ++d) width_ = std::max(width_, spectrum_.grid().length[static_cast<std::size_t>(d)]);
+  Spectrum(const Scene& scene, double mesh_spacing) : observed_(scene, mesh_spacing) {
+    for (int d = 0; d < Dim; ++d) width_ = std::max(width_, observed_.grid().length[static_cast<std::size_t>(d)]);
     width_ = 2.0 * std::numbers::pi / width_;
   }
 
   /// By shell, from the first; the mean velocity is in none.
   std::vector<Shell> shells(const ObserverContext& context) {
     const ById particles(context);
-    const auto count = static_cast<Index>(particles.count());
-    const auto points = particles.positions<Dim>();
-    std::array<std::vector<double>, Dim> position;
-    std::array<const double*, Dim> at{};
-    std::array<std::vector<double>, Dim> velocity;
-    for (std::size_t d = 0; d < Dim; ++d) {
-      for (const auto& point : points) position[d].push_back(point[d]);
-      at[d] = position[d].data();
-      velocity[d] = particles.values("velocity", static_cast<int>(d));
-    }
-    spectrum_.locate(at, count);
-    std::array<std::vector<mesh::Complex>, Dim> modes;
-    std::array<mesh::Complex*, Dim> to{};
-    for (std::size_t d = 0; d < Dim; ++d) {
-      modes[d].resize(spectrum_.mode_count());
-      to[d] = modes[d].data();
-    }
-    spectrum_.template fit<Dim>(
-        [&](Index i, double* numbers) {
-          for (std::size_t d = 0; d < Dim; ++d) numbers[d] = velocity[d][static_cast<std::size_t>(i)];
-        },
-        to, corrections);
-    return shared_out(modes);
+    observed_.locate(particles);
+    return shared_out(observed_.template modes<Dim>(particles, "velocity"));
   }
 
  private:
-  static mesh::Grid<Dim> grid_of(const Scene& scene, double mesh_spacing) {
-    mesh::Grid<Dim> grid;
-    for (std::size_t d = 0; d < Dim; ++d) {
-      grid.length[d] = scene.box[d];
-      grid.points[d] = mesh::fast_size(scene.box[d] / (mesh_spacing * scene.spacing));
-    }
-    return grid;
-  }
-
   // One mode after the other: the same sum each time.
   std::vector<Shell> shared_out(const std::array<std::vector<mesh::Complex>, Dim>& modes) {
-    const auto& grid = spectrum_.grid();
+    const auto& grid = observed_.grid();
     double highest = HUGE_VAL;
-    for (int d = 0; d < Dim; ++d) highest = std::min(highest, spectrum_.cutoff(d));
+    for (int d = 0; d < Dim; ++d) highest = std::min(highest, observed_.spectrum().cutoff(d));
     // Shells that lie within the cutoff along all axes: beyond, corners alone would be left.
     std::vector<Shell> shells(static_cast<std::size_t>(std::max(1.0, std::floor(highest / width_ - 0.5))));
     std::size_t mode = 0;
@@ -167,7 +134,7 @@ class Spectrum {
     return shells;
   }
 
-  mesh::ParticleSpectrum<Dim> spectrum_;
+  analysis::ObservedModes<Dim> observed_;
   double width_ = 0.0;  // of a shell, 1/m
 };
 
@@ -187,9 +154,7 @@ class EnergySpectrum final : public Observer {
   }
 
   void plan(const Scene& scene, ObserverPlan& plan) override {
-    for (int d = 0; d < scene.dimension; ++d)
-      if (!scene.periodic[static_cast<std::size_t>(d)])
-        throw Error(ExitCode::bad_case, "a spectrum is one of periodic fields, and this box has walls: leave it out");
+    analysis::needs_periodic_box(scene, "a spectrum is one of periodic fields, and this box has walls: leave it out");
     for (const auto& range : ranges_)
       if (!(range[0] < range[1]))
         throw Error(ExitCode::bad_case, "slopes: a range must go from a wave number to a larger one");

@@ -1,4 +1,4 @@
-#include "director_grid.hpp"
+#include "mesogen/analysis/director_grid.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,8 +7,9 @@
 #include <tuple>
 
 #include "mesogen/domain/point_cells.hpp"
+#include "mesogen/plugin/by_id.hpp"
 
-namespace mesogen::defects {
+namespace mesogen::analysis {
 
 namespace {
 
@@ -42,6 +43,22 @@ OrderTensor mean_around(const std::array<double, 2>& place, const PointCells<2>&
   return {sum.q11 / weights, sum.q12 / weights};
 }
 
+std::vector<OrderTensor> order_tensors(const ObserverContext& context) {
+  const ById particles(context);
+  const auto q11 = particles.values("order_tensor", 0);
+  const auto q12 = particles.values("order_tensor", 1);
+  std::vector<OrderTensor> tensors(particles.count());
+  for (std::size_t i = 0; i < tensors.size(); ++i) tensors[i] = {q11[i], q12[i]};
+  return tensors;
+}
+
+sph::SmoothingKernel averaging(const ObserverContext& context, double smoothing_length) {
+  sph::SmoothingKernel kernel = context.kernel();
+  kernel.smoothing_length = smoothing_length * context.scene().spacing;
+  kernel.scale = 1.0;  // the weights are divided by their sum
+  return kernel;
+}
+
 }  // namespace
 
 DirectorGrid::DirectorGrid(const Scene& scene, const std::vector<std::array<double, 2>>& points,
@@ -63,6 +80,10 @@ DirectorGrid::DirectorGrid(const Scene& scene, const std::vector<std::array<doub
     }
   });
 }
+
+DirectorGrid::DirectorGrid(const ObserverContext& context, double smoothing_length)
+    : DirectorGrid(context.scene(), ById(context).positions<2>(), order_tensors(context),
+                   averaging(context, smoothing_length)) {}
 
 std::size_t DirectorGrid::node(int i, int j) const {
   const auto along = [this](int at, std::size_t d) {
@@ -197,4 +218,4 @@ double pair_distance(const std::vector<Defect>& defects, const Scene& scene) {
   return std::isfinite(smallest) ? std::sqrt(smallest) : std::numeric_limits<double>::quiet_NaN();
 }
 
-}  // namespace mesogen::defects
+}  // namespace mesogen::analysis

@@ -3,10 +3,11 @@
 #include <array>
 #include <vector>
 
+#include "mesogen/plugin/observer.hpp"
 #include "mesogen/plugin/scene.hpp"
 #include "mesogen/sph/kernel_function.hpp"
 
-namespace mesogen::defects {
+namespace mesogen::analysis {
 
 /// A point where the director is singular.
 struct Defect {
@@ -25,11 +26,14 @@ struct OrderTensor {
 /// The grid has as many nodes along each axis as spacings fit; between walls they begin and end half a spacing off
 /// them, and no plaquette reaches across. The value at a node is the mean of the particles around it, weighted by a
 /// kernel: Q(x) = sum_j W(x - x_j) Q_j / sum_j W(x - x_j) (Shepard 1968).
-class DirectorGrid {
+class MESOGEN_EXPORT DirectorGrid {
  public:
   /// `points`, `values`: by particle id. `kernel`: the weights.
   DirectorGrid(const Scene& scene, const std::vector<std::array<double, 2>>& points,
                const std::vector<OrderTensor>& values, const sph::SmoothingKernel& kernel);
+  /// Of the field `order_tensor` that an observer sees, averaged by the run's kernel with a smoothing length of so many
+  /// spacings.
+  DirectorGrid(const ObserverContext& context, double smoothing_length);
 
   /// One for each plaquette (square of four nodes) around which the director turns by half a turn. The turn along an
   /// edge is taken the short way, and the two plaquettes beside it count the same number with opposite signs: so the
@@ -57,10 +61,11 @@ class DirectorGrid {
 };
 
 /// Without pairs of opposite charges closer than `distance`, m: closest pairs first. The total charge stays as it is.
-std::vector<Defect> without_close_pairs(const std::vector<Defect>& defects, const Scene& scene, double distance);
+MESOGEN_EXPORT std::vector<Defect> without_close_pairs(const std::vector<Defect>& defects, const Scene& scene,
+                                                       double distance);
 
 /// Smallest distance between defects of opposite charges, m; across the faces of the box where it is periodic. NaN
 /// where there is no such pair.
-double pair_distance(const std::vector<Defect>& defects, const Scene& scene);
+MESOGEN_EXPORT double pair_distance(const std::vector<Defect>& defects, const Scene& scene);
 
-}  // namespace mesogen::defects
+}  // namespace mesogen::analysis
