@@ -11,12 +11,18 @@
 /// random mixture, and 1 where every cell holds the mean colour. Only cells that hold particles count. NaN if there is
 /// one colour only, or no cell with more than one particle.
 ///
+/// In two dimensions, there is also the length of the line between the colours (contour.hpp), and how much longer it is
+/// than at the start: stirring stretches the line well before the cells of the index take notice. Both say something
+/// while the strips of colour are wider than about two nodes of the mesh. Thinner ones merge, and the line with them:
+/// its length stops growing, and at last falls.
+///
 /// In a scene with a field `colour` (values from 0 to 1) that is used, as it is at the time of the sample.
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
 
+#include "contour.hpp"
 #include "mesogen/diagnostics/error.hpp"
 #include "mesogen/exec/compensated_sum.hpp"
 #include "mesogen/plugin/by_id.hpp"
@@ -33,6 +39,11 @@ class Mixing final : public Observer {
         .at_least(2.0)
         .at_most(10000.0)
         .doc("cells along the shortest edge of the box, an even number; auto: as many as are at least 5 spacings wide");
+    list.number("mesh_spacing", mesh_spacing_)
+        .unit("particle spacings")
+        .at_least(1.0)
+        .at_most(10.0)
+        .doc("distance of the nodes to which the colour is averaged, to find the line where it is 1/2");
   }
 
   void plan(const Scene& scene, ObserverPlan& plan) override {
@@ -44,6 +55,10 @@ class Mixing final : public Observer {
     plan.traces_particles();
     plan.reads_if_present("colour");
     plan.scalar("mixing_index").doc("0: colours apart, as at the start; 1: mixed (Lacey's index)");
+    if (scene.dimension == 2) {
+      plan.scalar("interface_length").unit("m").doc("length of the line where the averaged colour is 1/2");
+      plan.scalar("stretching").doc("that length over what it was at the start");
+    }
     double shortest = scene.box[0];
     for (int d = 1; d < scene.dimension; ++d) shortest = std::min(shortest, scene.box[static_cast<std::size_t>(d)]);
     for (int d = 0; d < scene.dimension; ++d) {
@@ -55,25 +70,42 @@ class Mixing final : public Observer {
   }
 
   void start(const ObserverContext& context) override {
-    if (context.has("colour")) return;
     const Scene& scene = context.scene();
     const ById particles(context);
     const auto points = particles.positions<2>();  // a third coordinate does not matter
-    for (const auto& point : points)
-      colour_.push_back(point[0] < 0.5 * scene.box[0] && point[1] < 0.5 * scene.box[1] ? 1.0 : 0.0);
+    if (!context.has("colour")) {
+      for (const auto& point : points)
+        colour_.push_back(point[0] < 0.5 * scene.box[0] && point[1] < 0.5 * scene.box[1] ? 1.0 : 0.0);
+    }
+    if (scene.dimension == 2)
+      initial_length_ = contour_length(scene, points, colour_now(context, particles), mesh_spacing_);
   }
 
   void sample(const ObserverContext& context, Sample& sample) override {
     const ById particles(context);
-    const auto cell = cells_of(context.scene(), particles);
-    sample.set("mixing_index", index(context.has("colour") ? particles.values("colour") : colour_, cell));
+    const Scene& scene = context.scene();
+    const auto colour = colour_now(context, particles);
+    sample.set("mixing_index", index(colour, cells_of(scene, particles)));
+    if (scene.dimension != 2) return;
+    const double length = contour_length(scene, particles.positions<2>(), colour, mesh_spacing_);
+    sample.set("interface_length", length);
+    sample.set("stretching", length / initial_length_);
   }
 
-  [[nodiscard]] std::map<std::string, std::vector<double>> save() const override { return {{"colour", colour_}}; }
+  [[nodiscard]] std::map<std::string, std::vector<double>> save() const override {
+    return {{"colour", colour_}, {"initial_length", {initial_length_}}};
+  }
 
-  void restore(const std::map<std::string, std::vector<double>>& saved) override { colour_ = saved.at("colour"); }
+  void restore(const std::map<std::string, std::vector<double>>& saved) override {
+    colour_ = saved.at("colour");
+    initial_length_ = saved.at("initial_length").at(0);
+  }
 
  private:
+  [[nodiscard]] std::vector<double> colour_now(const ObserverContext& context, const ById& particles) const {
+    return context.has("colour") ? particles.values("colour") : colour_;
+  }
+
   /// Number of the cell that holds each particle.
   [[nodiscard]] std::vector<std::size_t> cells_of(const Scene& scene, const ById& particles) const {
     if (scene.dimension == 2) return cells_of<2>(scene, particles.positions<2>());
@@ -121,11 +153,14 @@ class Mixing final : public Observer {
   }
 
   std::optional<double> cells_;
+  double mesh_spacing_ = 1.5;
   std::array<int, 3> cells_along_{2, 2, 2};
-  std::vector<double> colour_;  // by id; empty where the scene has such a field
+  std::vector<double> colour_;   // by id; empty where the scene has such a field
+  double initial_length_ = 0.0;  // m
 };
 
 }  // namespace
 }  // namespace mesogen
 
-MESOGEN_OBSERVER_PLUGIN(mesogen::Mixing, "mixing", "1.0.0", "How well the colour of the initial quarter has spread")
+MESOGEN_OBSERVER_PLUGIN(mesogen::Mixing, "mixing", "1.1.0",
+                        "How well the colour of the initial quarter has spread, and how long the line about it is")
