@@ -1,0 +1,88 @@
+// Fields that show a flow, for frames and observers: vorticity and stream function. They are made when a reader asks
+// and cost a step nothing.
+
+#include <memory>
+
+#include "mesogen/diagnostics/error.hpp"
+#include "mesogen/plugin/physics.hpp"
+#include "mesogen/plugin/plugin.hpp"
+#include "stream_function.hpp"
+
+namespace {
+
+using namespace mesogen;
+using flow_fields::StreamFunction;
+
+/// omega = dv/dx - du/dy.
+template <class Real>
+struct Curl {
+  FieldView<const Real> gradient;
+  FieldView<Real> vorticity;
+
+  MESOGEN_HOST_DEVICE void operator()(Index i) const { vorticity(0, i) = gradient(2, i) - gradient(1, i); }
+};
+
+template <class Real, int Dim>
+class FlowFields final : public Physics {
+  static_assert(Dim == 2, "a flow has one stream function, and one component of vorticity, in two dimensions alone");
+
+ public:
+  void parameters(ParameterList& list) override {
+    list.number("mesh_spacing", mesh_spacing_)
+        .unit("particle spacings")
+        .at_least(1.0)
+        .at_most(10.0)
+        .doc("spacing of the mesh of the stream function, about; waves shorter than 3 of it are left out");
+  }
+
+  void prepare(const Scene& scene) override {
+    grid_ = StreamFunction::grid_of(scene, mesh_spacing_);
+    particle_count_ = scene.particle_count;
+    periodic_ = scene.periodic[0] && scene.periodic[1];
+    prepared_ = true;
+  }
+
+  [[nodiscard]] double memory() const override {
+    return prepared_ && periodic_ ? StreamFunction::memory(grid_, particle_count_) : 0.0;
+  }
+
+  void passes(PassList& list) override {
+    list.field("vorticity", Rank::scalar).unit("1/s").doc("omega = dv/dx - du/dy");
+    list.field("stream_function", Rank::scalar)
+        .unit("m2/s")
+        .doc("psi of the velocity beside its mean: u = d psi/dy, v = -d psi/dx; its mean is 0; in periodic boxes");
+    list.pass("vorticity, for readers", Phase::observe)
+        .reads({"velocity_gradient"})
+        .writes({"vorticity"})
+        .run([](const PassContext& context) {
+          exec::for_each(context.space(), context.count(),
+                         Curl<Real>{context.read<Real>("velocity_gradient"), context.write<Real>("vorticity")});
+        });
+    list.pass("stream function, for readers", Phase::observe)
+        .reads({"velocity"})
+        .writes({"stream_function"})
+        .run([this](const PassContext& context) { find_stream_function(context); });
+  }
+
+ private:
+  // That somebody reads the stream function is known no earlier.
+  void find_stream_function(const PassContext& context) {
+    if (!periodic_)
+      throw Error(ExitCode::bad_case,
+                  "the stream function is made of periodic waves, and this box has walls: take stream_function out of "
+                  "output.fields and of what observers read");
+    if (!stream_function_) stream_function_ = std::make_unique<StreamFunction>(grid_);
+    stream_function_->find(context, context.read<Real>("velocity"), context.write<Real>("stream_function"));
+  }
+
+  double mesh_spacing_ = 1.5;
+  mesh::Grid<2> grid_;
+  Index particle_count_ = 0;
+  bool periodic_ = false;
+  bool prepared_ = false;
+  std::unique_ptr<StreamFunction> stream_function_;
+};
+
+}  // namespace
+
+MESOGEN_PHYSICS_PLUGIN(FlowFields, "flow_fields", "1.0.0", "Vorticity and stream function, for frames and observers")
