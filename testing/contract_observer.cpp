@@ -63,7 +63,7 @@ void check_observer(ContractRun& run) {
     PluginHarness first = moved(run, true);
     const auto saved = first.observer().save();
     PluginHarness second = moved(run, false);
-    second.restore(saved);
+    second.restore(saved, first.time());
     const std::string problem = difference(numbers_of(first.sample()), numbers_of(second.sample()));
     return problem.empty() ? "" : problem + " after restore(): keep in save() all that it remembers";
   });

@@ -91,9 +91,10 @@ void HarnessRun::start() {
   observation_.start();
 }
 
-void HarnessRun::restore(const std::map<std::string, std::vector<double>>& saved) {
+void HarnessRun::restore(const std::map<std::string, std::vector<double>>& saved, double time) {
   started_ = touched = true;
   stepper_.start();
+  stepper_.world().time = time;
   setup_->observers.front().plugin->restore(saved);
 }
 

@@ -22,7 +22,7 @@ class HarnessRun {
   bool set(const std::string& field, const GivenField& given);
   void seed(std::int64_t seed);
   void start();
-  void restore(const std::map<std::string, std::vector<double>>& saved);
+  void restore(const std::map<std::string, std::vector<double>>& saved, double time);
   /// At most to `end` (s).
   void step(double end);
   [[nodiscard]] std::map<std::string, std::vector<double>, std::less<>> sample(std::optional<std::int64_t> shuffled_by);

@@ -167,9 +167,9 @@ PluginHarness::Quantities PluginHarness::sample() {
   return implementation_->running().sample(implementation_->shuffled_by());
 }
 
-void PluginHarness::restore(const std::map<std::string, std::vector<double>>& saved) {
+void PluginHarness::restore(const std::map<std::string, std::vector<double>>& saved, double time) {
   (void)observer();
-  implementation_->run().restore(saved);
+  implementation_->run().restore(saved, time);
 }
 
 std::vector<double> PluginHarness::values(std::string_view field, int component) {

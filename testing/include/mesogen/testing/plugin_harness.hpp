@@ -90,8 +90,8 @@ class MESOGEN_EXPORT PluginHarness {
   void run_until(double seconds);
   /// What the observer records now: exactly the quantities of its plan, each of whole rows.
   Quantities sample();
-  /// In place of start(), as when a run is resumed: what the observer's save() gave in another scene.
-  void restore(const std::map<std::string, std::vector<double>>& saved);
+  /// In place of start(), as when a run is resumed: what the observer's save() gave in another scene, and its time, s.
+  void restore(const std::map<std::string, std::vector<double>>& saved, double time);
 
   [[nodiscard]] std::vector<double> values(std::string_view field, int component = 0);
   [[nodiscard]] double value(std::string_view field, int component = 0, std::int64_t particle = 0);
