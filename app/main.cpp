@@ -52,6 +52,7 @@ int main(int count, char** arguments) {
     app::add_reference(command, action);
     app::add_report(command, action);
     app::add_chart(command, action);
+    app::add_sweep(command, action);
     try {
       command.parse(count, arguments);
     } catch (const CLI::ParseError& error) {

@@ -24,5 +24,6 @@ void add_schema(CLI::App& command, Action& action);
 void add_reference(CLI::App& command, Action& action);
 void add_report(CLI::App& command, Action& action);
 void add_chart(CLI::App& command, Action& action);
+void add_sweep(CLI::App& command, Action& action);
 
 }  // namespace mesogen::app

@@ -10,7 +10,7 @@ from ..errors import MesogenError
 from . import measures
 from .drawing import error_cost, error_resolution, look
 from .errors import StudyError
-from .execution import command_line, execute, refusal
+from .execution import command_line, execute, refusals
 from .expectation import expected_left
 from .ledger import Ledger, locked, write_file
 from .machine import machine_text, of_same_defaults, program_text
@@ -99,10 +99,8 @@ def run_study(study, folder, program, progress_of=Progress, tell=print):
 
 def check_variants(study, program):
     """Lets mesogen look at every variant, at its coarsest. Raises StudyError with mesogen's own words."""
-    said = {}
-    for variant in study.variants:
-        for line in refusal(program, study.scene.case, study.job(variant, variant.resolutions[0]).overrides).splitlines():
-            said.setdefault(line, []).append(f"variant.{variant.name}")
+    said = refusals(program, study.scene.case, {
+        f"variant.{variant.name}": study.job(variant, variant.resolutions[0]).overrides for variant in study.variants})
     if said:
         raise StudyError([f"{study.file}: {', '.join(names)}: {line}" for line, names in said.items()])
 

@@ -11,5 +11,9 @@ class StudyError(MesogenError):
         super().__init__("\n".join(self.problems))
 
 
+class Refused(StudyError):
+    """What mesogen itself does not take, with its words."""
+
+
 class Interrupted(Exception):
     """The user stopped the study; what was done is kept."""

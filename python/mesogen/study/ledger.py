@@ -61,14 +61,16 @@ def _text(value):
 
 
 @contextlib.contextmanager
-def locked(folder):
-    """The folder, made if need be, for this process alone. Raises StudyError if another study writes there."""
+def locked(folder, busy=""):
+    """The folder, made if need be, for this process alone. Raises StudyError if another study writes there, which `busy`
+    may say in other words."""
     os.makedirs(folder, exist_ok=True)
     with open(os.path.join(folder, ".lock"), "w", encoding="ascii") as lock:
         try:
             fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
         except BlockingIOError:
-            raise StudyError(f"another study is writing into {folder}; choose another folder with --output, or wait") from None
+            raise StudyError(busy or f"another study is writing into {folder}; choose another folder with --output, "
+                                     "or wait") from None
         yield folder
 
 

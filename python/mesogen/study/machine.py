@@ -35,11 +35,15 @@ def version_text(program):
 def program_text(program):
     """version_text, and a digest of all keys with their defaults: a case that leaves them out means another one where they
     differ."""
-    version = version_text(program)
+    return version_text(program) + DEFAULTS + digest(_without_words(schema(program)))
+
+
+def schema(program):
+    """The JSON schema of a case. Raises StudyError if the program cannot say it."""
     done = subprocess.run([program, "schema"], capture_output=True, text=True, check=False)
     if done.returncode != 0:
         raise StudyError(f"{program} schema failed: {done.stderr.strip()}")
-    return version + DEFAULTS + digest(_without_words(json.loads(done.stdout)))
+    return json.loads(done.stdout)
 
 
 def of_same_defaults(rows, program):

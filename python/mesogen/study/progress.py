@@ -45,13 +45,13 @@ class Progress:
             self.stream.write("\r\033[K" + self.line(now - self.begun)[: width - 1])
             self.stream.flush()
 
-    def end(self, text):
-        """A run ended; `text` says how."""
+    def end(self, text, name=""):
+        """A run ended; `text` says how, `name` which where several go on at a time."""
         self.done += 1
         if not self.quiet:
             clear = "\r\033[K" if self.terminal else ""
             digits = len(str(self.total))
-            self.stream.write(f"{clear}{self.done:{digits}} of {self.total}  {self.name}: {text}\n")
+            self.stream.write(f"{clear}{self.done:{digits}} of {self.total}  {name or self.name}: {text}\n")
             self.stream.flush()
 
     def close(self):

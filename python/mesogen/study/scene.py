@@ -78,11 +78,17 @@ def read_answer(file, problems):
     return Answer(file, title, source, across, quantities, data)
 
 
-def _quantity(table):
+def series_of(table):
+    """(observer, quantity) of the key `series`, two empty texts if there is a problem with it."""
     series = table.text("series")
     if series is not None and series.count(".") != 1:
         table.refuse("series", f"'{series}' must be OBSERVER.QUANTITY, the observer as the case names it")
         series = None
+    return tuple(series.split(".")) if series else ("", "")
+
+
+def _quantity(table):
+    observer, column = series_of(table)
     measure = table.text("measure", choices=list(MEASURES))
     at = table.numbers("at", count=2 if measure == "growth_rate" else None)
     exact = table.numbers("exact", count=None if measure is None or at is None else MEASURES[measure].count(at))
@@ -90,5 +96,4 @@ def _quantity(table):
     if exact is not None and scale is None and 0 in exact:
         table.refuse("exact", "is 0, so that the error cannot be relative to it: give a scale")
     table.finish()
-    observer, column = series.split(".") if series else ("", "")
     return Quantity(observer, column, measure, tuple(at or ()), tuple(exact or ()), scale)

@@ -11,7 +11,7 @@ import mesogen
 from ..errors import NoResults
 from .drawing import look, stability_map
 from .errors import StudyError
-from .execution import command_line, execute, refusal
+from .execution import command_line, execute, refusals
 from .judge import CRITERIA, Verdict, judge, way_of
 from .ledger import Ledger, locked, write_file
 from .machine import machine_text, of_same_defaults, program_text
@@ -123,13 +123,14 @@ def time_left(study, searches, rows):
 
 def check_variants(study, program):
     """Lets mesogen look at both ends of every cell. Raises StudyError with mesogen's own words."""
-    said = {}
-    for cell in study.cells():
-        for value in (study.sweep.first, study.sweep.last):
-            for line in refusal(program, study.scene.case, study.overrides(cell, value)).splitlines():
-                said.setdefault(line, []).append(f"{cell.name}, {study.sweep_key} = {value:g}")
+    def name(place):
+        return f"{place[0]}, {study.sweep_key} = {place[1]:g}"
+
+    said = refusals(program, study.scene.case, {
+        (cell.name, value): study.overrides(cell, value)
+        for cell in study.cells() for value in (study.sweep.first, study.sweep.last)})
     if said:
-        raise StudyError([f"{study.file}: {'; '.join(dict.fromkeys(names))}: {line}" for line, names in said.items()])
+        raise StudyError([f"{study.file}: {'; '.join(map(name, places))}: {line}" for line, places in said.items()])
 
 
 def run_trial(study, cell, value, folder, program, tick):

@@ -1,0 +1,45 @@
+"""What is wrong with a sweep whose parts are right by themselves."""
+
+from ..study.table_reader import nearest
+
+
+def conflicts(sweep, seed_keys_given):
+    """Problems as texts, with their place in the sweep's file but without the file."""
+    there = list(_keys(sweep.data))
+    changed = {key for one in (sweep.common, *(point.values for point in sweep.points)) for key in one}
+    yield from _of_seeds(sweep, there, changed, seed_keys_given)
+    observers = sorted({key.split(".")[1] for key in {*there, *changed} if key.startswith("observers.")})
+    for number, quantity in enumerate(sweep.quantities, start=1):
+        if quantity.observer not in observers:
+            yield (f"quantity[{number}].series: {sweep.case} has no observer '{quantity.observer}'"
+                   + nearest(quantity.observer, observers))
+    yield from _twice("quantity", [quantity.name for quantity in sweep.quantities], "give one of them another name")
+    yield from _twice("point", [point.label for point in sweep.points],
+                      "its runs would share a folder; leave one of them out, or name it in a [point.NAME]")
+
+
+def _of_seeds(sweep, there, changed, given):
+    if not sweep.seeds:
+        if given:
+            yield "seed_keys: means nothing without seeds"
+        return
+    for key in sweep.seed_keys:
+        if key in changed:
+            yield f"{key}: is set by the seeds; leave it out"
+        elif key not in there:
+            takers = [name for name in there if name.split(".")[-1] == "seed"]
+            yield f"seed_keys: {sweep.case} has no '{key}' for the seeds to change" + nearest(key, takers)
+
+
+def _twice(what, names, advice):
+    for name in dict.fromkeys(name for name in names if names.count(name) > 1):
+        yield f"{what} '{name}' is there twice: {advice}"
+
+
+def _keys(table, before=""):
+    """All dotted keys of a case."""
+    for key, value in table.items():
+        if isinstance(value, dict):
+            yield from _keys(value, before + key + ".")
+        else:
+            yield before + key

@@ -1,0 +1,66 @@
+"""A small case that takes seeds, and a sweep of it, for the tests of sweep."""
+
+import csv
+import os
+import subprocess
+
+from small_case import CASE as SMALL
+from support import MESOGEN, CommandTest
+
+MODES = 'type = "modes"\nmodes = [[1, 0, 0.2, 0.3], [0, 1, 0.1, 1.1]]'
+CASE = SMALL.replace(MODES, 'type = "perturbed"\namplitude = 0.3\nseed = 1')
+CASE = CASE.replace("interval = 0.05", "interval = 0.01", 1)
+# Half a second and more, with a checkpoint after each step.
+LONGER = CASE.replace("end = 0.1", "end = 1.5").replace("[output]", "[output]\ncheckpoint_interval = 0.01")
+
+SWEEP = """\
+title = "A small sweep"
+case = "case.toml"
+seeds = [1, 2]
+parallel = 2
+[grid]
+"physics.activity.activity" = [0.05, -0.05]
+[point.thick]
+"physics.flow.viscosity" = 1.0
+[[quantity]]
+series = "flow.v_rms"
+from = 0.02
+"""
+
+
+class SweepTest(CommandTest):
+    def setUp(self):
+        super().setUp()
+        self.write(CASE, "case.toml")
+        self.write(SWEEP, "sweep.toml")
+
+    def write(self, text, *name):
+        with open(self.path(*name), "w", encoding="utf-8") as file:
+            file.write(text)
+
+    def read(self, *parts):
+        with open(self.path(*parts), encoding="utf-8") as file:
+            return file.read()
+
+    def table(self, name, folder="out"):
+        with open(self.path(folder, name), encoding="utf-8", newline="") as file:
+            return list(csv.DictReader(file))
+
+    def sweep(self, *arguments, **more):
+        return self.mesogen("sweep", "sweep.toml", "--output", "out", *arguments, **more)
+
+    def start(self, *arguments):
+        """The sweep as a process, not waited for."""
+        process = subprocess.Popen([MESOGEN, "sweep", "sweep.toml", "--output", "out", *arguments], cwd=self.folder,
+                                   env=self.environment(), stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
+        self.addCleanup(process.communicate)
+        self.addCleanup(process.kill)
+        return process
+
+    def refusal(self, sweep, *arguments):
+        """What is said against a sweep; nothing was run."""
+        self.write(sweep, "sweep.toml")
+        out, err = self.sweep(*arguments, code=2)
+        self.assertEqual(out, "")
+        self.assertFalse(os.path.exists(self.path("out", "runs")))
+        return err
