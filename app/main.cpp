@@ -53,6 +53,7 @@ int main(int count, char** arguments) {
     app::add_report(command, action);
     app::add_chart(command, action);
     app::add_sweep(command, action);
+    app::add_study(command, action);
     try {
       command.parse(count, arguments);
     } catch (const CLI::ParseError& error) {

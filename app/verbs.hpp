@@ -25,5 +25,6 @@ void add_reference(CLI::App& command, Action& action);
 void add_report(CLI::App& command, Action& action);
 void add_chart(CLI::App& command, Action& action);
 void add_sweep(CLI::App& command, Action& action);
+void add_study(CLI::App& command, Action& action);
 
 }  // namespace mesogen::app

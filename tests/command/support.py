@@ -12,7 +12,7 @@ BROKEN_PLUGINS = os.environ["BROKEN_PLUGINS"]
 PROJECT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 VERBS = [["run"], ["resume"], ["replay"], ["check"], ["graph"], ["plugin"], ["plugin", "list"], ["plugin", "info"],
          ["plugin", "new"], ["plugin", "check"], ["field"], ["field", "list"], ["schema"], ["reference"], ["report"],
-         ["chart"]]
+         ["chart"], ["sweep"], ["study"]]
 
 
 class CommandTest(unittest.TestCase):

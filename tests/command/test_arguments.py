@@ -14,7 +14,7 @@ class Arguments(CommandTest):
     def test_help_of_the_command_names_every_verb(self):
         out, _ = self.mesogen("--help")
         for verb in ("run", "resume", "replay", "check", "graph", "plugin", "field", "schema", "reference", "report",
-                     "chart"):
+                     "chart", "sweep", "study"):
             self.assertRegex(out, rf"(?m)^  {verb} ")
 
     def test_every_verb_has_help(self):

@@ -2,11 +2,16 @@
 
 import glob
 import os
+import shlex
 import unittest
 
 from support import PROJECT, CommandTest
 
-STUDIES = sorted(glob.glob(os.path.join(PROJECT, "studies", "*", "*.toml")))
+STUDIES = sorted(file for kind in ("accuracy", "stability")
+                 for file in glob.glob(os.path.join(PROJECT, "studies", kind, "*.toml")))
+PAPER = os.path.join(PROJECT, "studies", "paper")
+SWEEPS = sorted(file for file in glob.glob(os.path.join(PAPER, "*.toml"))
+                if os.path.basename(file) not in ("case.toml", "study.toml"))
 
 
 class Studies(CommandTest):
@@ -16,6 +21,21 @@ class Studies(CommandTest):
             with self.subTest(os.path.relpath(study, PROJECT)):
                 out, _ = self.mesogen("chart", study, "--list", "--output", "out")
                 self.assertIn("mesogen run ", out)
+
+    def test_sweeps_of_the_paper_can_be_run(self):
+        self.assertGreaterEqual(len(SWEEPS), 8)
+        for sweep in SWEEPS:
+            with self.subTest(os.path.basename(sweep)):
+                out, _ = self.mesogen("sweep", sweep, "--list", "--output", "out")
+                for line in out.splitlines():
+                    words = shlex.split(line.split(": ", 1)[1])
+                    settings = [word for at, word in enumerate(words) if word == "--set" or words[at - 1] == "--set"]
+                    self.mesogen("graph", os.path.join(PAPER, "case.toml"), *settings)
+
+    def test_sections_of_the_paper_can_be_read(self):
+        for mode in ("--quick", "--full", None):
+            _, err = self.mesogen("study", PAPER, "--write-only", "--output", "out", *([mode] if mode else []))
+            self.assertIn("was not run", err)
 
 
 if __name__ == "__main__":

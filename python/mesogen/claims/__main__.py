@@ -1,0 +1,73 @@
+"""The command: mesogen study FOLDER [-o DIR] [--quick | --full] [--only SECTION]... [--write-only]"""
+
+import argparse
+import os
+import signal
+import sys
+
+from ..study.errors import Interrupted, StudyError
+from ..study.progress import Progress
+from . import report
+from .study_file import read_study
+from .verdict import VERDICTS
+
+
+def study_command(options):
+    mode = "quick" if options.quick else "full" if options.full else "standard"
+    study = read_study(options.study, mode, options.only)
+    name = os.path.basename(os.path.abspath(options.study))
+    folder = options.output or os.path.join("output", "studies", name if mode == "standard" else f"{name}_{mode}")
+    results = report.gather(study, folder, options.mesogen, options.parallel, not options.write_only,
+                            lambda total, done: Progress(total, done, options.quiet),
+                            lambda line: None if options.quiet else print(line, file=sys.stderr, flush=True))
+    sections, problems = report.write(study, results, folder, options.mesogen)
+    for section in sections:
+        for claim in section.claims:
+            print(f"{claim.verdict:>{max(map(len, VERDICTS))}}  {section.title}: {claim.text} {claim.numbers}")
+    for problem in problems:
+        print(f"warning: {problem}", file=sys.stderr)
+    print(f"wrote {os.path.join(folder, report.FOLDER, 'index.html')}")
+
+
+def main(arguments=None):
+    """The command. Returns its exit code: 0; 1 if a file cannot be written; 2 if the study is wrong; 130 if it was
+    interrupted."""
+    parser = argparse.ArgumentParser(prog="mesogen study", description="Runs a study and reports which claims hold.")
+    parser.add_argument("study", metavar="FOLDER", help="folder of a study")
+    parser.add_argument("-o", "--output", metavar="DIR", help="folder for runs and report")
+    parser.add_argument("--only", metavar="SECTION", action="append", default=[], help="this section alone")
+    parser.add_argument("--parallel", metavar="N", type=_count, help="runs at a time")
+    modes = parser.add_mutually_exclusive_group()
+    modes.add_argument("--quick", action="store_true", help="small boxes and short spans")
+    modes.add_argument("--full", action="store_true", help="at the resolution of the paper")
+    parser.add_argument("--write-only", action="store_true", help="run nothing: the report of what is there")
+    parser.add_argument("--quiet", action="store_true", help="no progress")
+    parser.add_argument("--mesogen", metavar="FILE", default="mesogen", help="the command that runs a case")
+    signal.signal(signal.SIGTERM, _stop)
+    try:
+        study_command(parser.parse_args(arguments))
+    except StudyError as error:
+        print(f"errors:\n{error}" if len(error.problems) > 1 else f"error: {error}", file=sys.stderr)
+        return 2
+    except (Interrupted, KeyboardInterrupt):
+        print("interrupted: what was done is kept; the same command goes on", file=sys.stderr)
+        return 130
+    except OSError as error:
+        print(f"error: {error}", file=sys.stderr)
+        return 1
+    return 0
+
+
+def _count(text):
+    count = int(text)
+    if count < 1:
+        raise argparse.ArgumentTypeError("must be at least 1")
+    return count
+
+
+def _stop(*_):
+    raise Interrupted
+
+
+if __name__ == "__main__":
+    sys.exit(main())

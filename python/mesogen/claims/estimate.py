@@ -1,0 +1,84 @@
+"""Means with standard errors, and what they decide."""
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from .verdict import DOES_NOT_HOLD, HOLDS, NOT_RESOLVED
+
+# A difference is taken as seen beyond so many of its standard errors. With three seeds the error itself is uncertain:
+# Student's t says 2.8 for 5 % of two samples of three.
+CLEAR = 2.8
+
+
+@dataclass(frozen=True)
+class Estimate:
+    """A mean and its standard error, over `count` independent values; NaN for the error of one value."""
+
+    mean: float
+    error: float
+    count: int
+
+    def text(self, digits=3):
+        """As "0.158 ± 0.002", the mean to so many significant digits."""
+        if not math.isfinite(self.mean):
+            return "none"
+        size = math.floor(math.log10(abs(self.mean))) if self.mean else 0
+        places = max(0, digits - 1 - size)
+        error = f" ± {self.error:.{places}f}" if math.isfinite(self.error) else ""
+        return f"{self.mean:.{places}f}{error}"
+
+
+def over_seeds(values):
+    """The Estimate of independent values; those that are not finite are left out."""
+    known = np.asarray([value for value in values if math.isfinite(value)], dtype=float)
+    if not len(known):
+        return Estimate(math.nan, math.nan, 0)
+    error = float(known.std(ddof=1) / math.sqrt(len(known))) if len(known) > 1 else math.nan
+    return Estimate(float(known.mean()), error, len(known))
+
+
+def time_mean(time, value, start, end=math.inf):
+    """Mean of the samples within (start, end] (s); NaN without any."""
+    time, value = np.asarray(time), np.asarray(value, dtype=float)
+    inside = value[(time > start) & (time <= end)]
+    return float(np.nanmean(inside)) if len(inside) and np.isfinite(inside).any() else math.nan
+
+
+def distance(one, other):
+    """How far one lies above the other, in standard errors of the difference; NaN if that is not known."""
+    error = math.hypot(one.error, other.error)
+    gap = one.mean - other.mean
+    if not error > 0:
+        return math.copysign(math.inf, gap) if error == 0 and gap != 0 else math.nan
+    return gap / error
+
+
+def above(one, other, clear=CLEAR):
+    """The verdict on "one lies above the other"."""
+    apart = distance(one, other)
+    if math.isnan(apart) or abs(apart) < clear:
+        return NOT_RESOLVED
+    return HOLDS if apart > 0 else DOES_NOT_HOLD
+
+
+def agrees(one, value, within, clear=CLEAR):
+    """The verdict on "one is `value`, but for `within`": it holds if the mean lies inside and its error is small enough to
+    say so, does not if it lies clearly outside."""
+    off = abs(one.mean - value)
+    error = one.error if math.isfinite(one.error) else math.inf
+    if not math.isfinite(off):
+        return NOT_RESOLVED
+    if off <= within and error <= within:
+        return HOLDS
+    return DOES_NOT_HOLD if off - clear * error > within else NOT_RESOLVED
+
+
+def slope(x, y):
+    """Exponent p of y ~ x^p by least squares over the logarithms; x, y above 0. NaN below two points."""
+    x, y = np.asarray(x, dtype=float), np.asarray(y, dtype=float)
+    known = (x > 0) & (y > 0) & np.isfinite(x) & np.isfinite(y)
+    if known.sum() < 2:
+        return math.nan
+    return float(np.polyfit(np.log(x[known]), np.log(y[known]), 1)[0])

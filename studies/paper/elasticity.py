@@ -1,0 +1,60 @@
+"""The elastic constant."""
+
+import math
+
+import numpy as np
+
+from mesogen.claims import above, agrees, over_seeds
+from mesogen.claims.estimate import Estimate, slope
+from mesogen.claims.verdict import all_of
+from mesogen.figures import director, style, vorticity
+from mesogen.figures.scene import Scene
+
+TITLE = "The elastic constant"
+FIGURE = "vorticity, defects and mixing at K = 0.02, 0.05, 0.1 N"
+SWEEPS = ["elasticity"]
+KEY = "physics.nematic.elastic_constant"
+
+
+def write(section):
+    runs = section.runs("elasticity")
+    end = runs.value("time.end")
+    constants = runs.points(KEY)
+    page, axes = style.tiles(2, len(constants), (3.0, 3.0))
+    lengths, defects, mixing = [], [], []
+    for column, constant in enumerate(constants):
+        some = runs.where(physics__nematic__elastic_constant=constant)
+        with some.first().open() as run:
+            scene = Scene(run, -1)
+            vorticity.draw(axes[column], scene)
+            director.draw(axes[len(constants) + column], scene, lines_across=40)
+            axes[column].set_title(f"K = {constant:g} N")
+            axes[len(constants) + column].set_title("")
+        lengths.append(_length(some, 0.6 * end))
+        defects.append(some.estimate("defects", "count_plus", 0.6 * end))
+        mixing.append(over_seeds([float(np.interp(0.5 * end, t, v)) for t, v in some.series("mixing", "mixing_index")]))
+    section.picture("maps", page, "Vorticity with streamlines, director with defects.", ("K", "length", "defects", "mixing"),
+                    [(k, a.mean, b.mean, c.mean) for k, a, b, c in zip(constants, lengths, defects, mixing)], quality=86)
+    section.table(("K, N", "vorticity correlation is 0.2 at, m", "pairs of defects", f"mixing index at {0.5 * end:g} s"),
+                  [(f"{k:g}", a.text(), b.text(), c.text(2)) for k, a, b, c in zip(constants, lengths, defects, mixing)])
+    section.claim("Vortices grow with K.", all_of(above(b, a) for a, b in zip(lengths, lengths[1:])),
+                  ", ".join(f"{a.text()} m at {k:g} N" for k, a in zip(constants, lengths)))
+    power = slope(constants, [a.mean for a in lengths])
+    spread = math.hypot(*(a.error / a.mean for a in (lengths[0], lengths[-1]))) / math.log(constants[-1] / constants[0])
+    section.claim("Their size goes as the root of K / ζ.", agrees(Estimate(power, spread, 3), 0.5, 0.1),
+                  f"exponent of K: {power:.2f} ± {spread:.2f}")
+    section.claim("Defects become fewer as K rises.", all_of(above(a, b) for a, b in zip(defects, defects[1:])),
+                  ", ".join(f"{a.text()} at {k:g} N" for k, a in zip(constants, defects)))
+    section.claim("A larger K mixes less.", above(mixing[0], mixing[-1]),
+                  ", ".join(f"{a.text(2)} at {k:g} N" for k, a in zip(constants, mixing)))
+
+
+def _length(runs, start):
+    found = []
+    for table in runs.table_mean("correlation", "vorticity", start):
+        below = np.nonzero(table[:, 2] < 0.2)[0]
+        if len(below) and below[0] > 0:
+            n = below[0]
+            r, c = table[n - 1 : n + 1, 0], table[n - 1 : n + 1, 2]
+            found.append(float(r[0] + (c[0] - 0.2) / (c[0] - c[1]) * (r[1] - r[0])))
+    return over_seeds(found)

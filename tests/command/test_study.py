@@ -1,0 +1,130 @@
+"""study: from a folder to a report that says what holds; killed, it goes on without repeating what is done."""
+
+import csv
+import os
+import pathlib
+import signal
+import subprocess
+import time
+import unittest
+
+from support import CASE, MESOGEN, CommandTest
+
+STUDY = """\
+title = "A small study"
+source = "nobody"
+sections = ["speed"]
+[quick.activity]
+seeds = [1, 2]
+[full.activity]
+"time.end" = 0.2
+"""
+
+SWEEP = """\
+title = "Activity"
+case = "case.toml"
+seeds = [1, 2, 3]
+seed_keys = ["particles.seed"]
+threads = 1
+[grid]
+"physics.activity.activity" = [0.05, 0.5]
+[[quantity]]
+series = "flow.v_rms"
+"""
+
+SECTION = '''\
+from mesogen.claims import above
+from mesogen.figures import style
+
+TITLE, FIGURE, SWEEPS = "Speed", "v rms", ["activity"]
+
+
+def write(section):
+    runs = section.runs("activity")
+    slow, fast = (runs.where(physics__activity__activity=z).estimate("flow", "v_rms", 0.0) for z in (0.05, 0.5))
+    page, (axes,) = style.tiles(1, 1, (2.0, 1.5))
+    axes.plot([0.05, 0.5], [slow.mean, fast.mean])
+    section.picture("speed", page, "Means.", ("zeta", "v_rms"), [(0.05, slow.mean), (0.5, fast.mean)])
+    section.claim("More activity is faster.", above(fast, slow), f"{fast.text()} and {slow.text()} m/s")
+    section.claim("Less activity is faster.", above(slow, fast), f"over {slow.count} seeds")
+'''
+
+
+class Study(CommandTest):
+    def setUp(self):
+        super().setUp()
+        os.mkdir(self.path("small"))
+        case = CASE.replace("spacing = 0.1", 'spacing = 0.1\narrangement = "jittered"\nseed = 1')
+        for name, text in (("case.toml", case), ("study.toml", STUDY), ("activity.toml", SWEEP), ("speed.py", SECTION)):
+            self.write_case(text, os.path.join("small", name))
+
+    def study(self, *arguments, **more):
+        return self.mesogen("study", "small", "--output", "out", *arguments, **more)
+
+    def runs(self):
+        with open(self.path("out", "activity", "runs.csv"), encoding="utf-8", newline="") as file:
+            return list(csv.DictReader(file))
+
+    def page(self):
+        return pathlib.Path(self.path("out", "report", "index.html")).read_text(encoding="utf-8")
+
+    def test_a_report_from_nothing(self):
+        out, err = self.study("--quick")
+        self.assertRegex(out, r"(?m)^ +holds  Speed: More activity is faster\. [\d.]+ ± ")
+        self.assertRegex(out, r"(?m)^does not hold  Speed: Less activity is faster\. over 2 seeds$")
+        self.assertIn("wrote out/report/index.html", out)
+        self.assertIn("Activity: 4 runs", err)
+        page = self.page()
+        for words in ("A small study", "2 claims", "1 holds", "speed_speed.png", "speed_speed.csv", "quick",
+                      "4, ", "[physics.activity]"):
+            self.assertIn(words, page)
+        with open(self.path("out", "report", "speed_speed.png"), "rb") as file:
+            self.assertEqual(file.read(4), b"\x89PNG")
+        with open(self.path("out", "report", "speed_speed.csv"), encoding="utf-8", newline="") as file:
+            rows = list(csv.reader(file))
+        self.assertEqual([row[0] for row in rows], ["zeta", "0.05", "0.5"])
+        self.assertGreater(float(rows[2][1]), 5.0 * float(rows[1][1]))
+
+    def test_what_is_done_is_not_done_again(self):
+        self.study("--quick")
+        before = self.runs()
+        self.study("--quick", "--quiet")
+        self.assertEqual(self.runs(), before)
+        self.study()  # a third seed; the others are the same
+        self.assertEqual(self.runs()[:4], before)
+        self.assertEqual(len(self.runs()), 6)
+        self.study("--full")  # longer: all again
+        self.assertEqual(len(self.runs()), 12)
+
+    def test_killed_at_any_moment_it_goes_on(self):
+        self.write_case(SWEEP.replace("[grid]", '[common]\n"time.end" = 1.0\n[grid]'), os.path.join("small", "activity.toml"))
+        for wait in (0.8, 1.5):
+            with subprocess.Popen([MESOGEN, "study", "small", "--output", "out", "--parallel", "1"], cwd=self.folder,
+                                  env=self.environment(), stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL) as process:
+                time.sleep(wait)
+                process.send_signal(signal.SIGKILL)
+        done = self.runs() if os.path.exists(self.path("out", "activity", "runs.csv")) else []
+        self.study("--parallel", "1")
+        self.assertEqual(self.runs()[: len(done)], done)
+        self.assertEqual(len({run["label"] for run in self.runs()}), len(self.runs()))
+        self.assertEqual(len(self.runs()), 6)
+
+    def test_write_only_runs_nothing_and_says_what_is_missing(self):
+        out, err = self.study("--write-only", "--quick")
+        self.assertFalse(os.path.exists(self.path("out", "activity", "runs.csv")))
+        self.assertIn("warning: activity: activity_0.05-seed_1: was not run", err)
+        self.assertIn("warning: section speed is left out: there is no finished run of activity, physics.activity.activity = 0.05",
+                      err)
+        self.assertIn("0 claims", self.page())
+
+    def test_refusals(self):
+        self.assertIn("error: nowhere: holds no study.toml; give the folder of a study, such as studies/paper",
+                      self.mesogen("study", "nowhere", code=2)[1])
+        self.assertIn("has no section 'spead'; did you mean 'speed'?", self.study("--only", "spead", code=2)[1])
+        self.write_case(SWEEP.replace("activity.activity", "activity.activty"), os.path.join("small", "activity.toml"))
+        self.assertIn("activty", self.study(code=2)[1])
+        self.assertIn("excludes", self.study("--quick", "--full", code=2)[1])
+
+
+if __name__ == "__main__":
+    unittest.main()
