@@ -20,7 +20,7 @@ class Estimates(unittest.TestCase):
         self.assertEqual(over_seeds([math.nan, 4.0, 4.0]), Estimate(4.0, 0.0, 2))
 
     def test_text_has_as_many_digits_as_asked_for(self):
-        self.assertEqual(Estimate(0.15842, 0.00051, 3).text(), "0.158 ± 0.001")
+        self.assertEqual(Estimate(0.15842, 0.00051, 3).text(), "0.1584 ± 0.0005")
         self.assertEqual(Estimate(24.13, 0.6, 3).text(), "24.1 ± 0.6")
         self.assertEqual(Estimate(1234.0, 9.0, 3).text(2), "1234 ± 9")
         self.assertEqual(Estimate(2.0, math.nan, 1).text(2), "2.0")

@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 
-from mesogen.claims import DOES_NOT_HOLD, HOLDS, NOT_RESOLVED, over_seeds
+from mesogen.claims import DOES_NOT_HOLD, HOLDS, NOT_RESOLVED
 from mesogen.figures import style
 
 TITLE = "Correlations and length scales"
@@ -22,21 +22,19 @@ def write(section):
     for colour, zeta in zip(style.SERIES, (0.023, -0.023)):
         for mark, quantity in (("-", "vorticity"), ("--", "velocity")):
             found = turbulence.where(physics__activity__activity=zeta).table_mean("correlation", quantity, 0.6 * end)
-            if not found:
-                continue
             mean = np.mean(found, axis=0)
             axes[0].plot(mean[:, 0], mean[:, 2], mark, color=colour, label=f"{quantity}, ζ = {zeta:+g} Pa")
             rows += [(f"{quantity} {zeta:+g}", float(r), float(c)) for r, c in mean[:, [0, 2]]]
             if quantity == "vorticity":
                 tails.append(float(np.abs(mean[mean[:, 0] > 0.35 * box, 2]).max()))
+    flows = section.runs("flows")
     for colour, flow in zip(style.SERIES[2:], ("incompressible", "wcsph")):
-        found = section.runs("flows").where(physics__flow__type=flow).table_mean("correlation", "vorticity", 0.5 * section.runs("flows").value("time.end"))
-        if not found:
-            continue
+        found = flows.where(physics__flow__type=flow).table_mean("correlation", "vorticity", 0.5 * flows.value("time.end"))
         mean = np.mean(found, axis=0)
         axes[1].plot(mean[:, 0], mean[:, 1], color=colour, label=flow)
         rows += [(f"vorticity {flow}", float(r), float(c)) for r, c in mean[:, [0, 1]]]
-    for place, title in zip(axes, (f"Table 2, box of {box:g} m, all directions", "0.03 Pa, 0.1 Pa s, box of 10 m, along the axes")):
+    titles = (f"Table 2, box of {box:g} m, all directions", "0.03 Pa, 0.1 Pa s, box of 10 m, along the axes")
+    for place, title in zip(axes, titles):
         place.axhline(0.0, color=style.QUIET, linewidth=0.6)
         place.set_xlabel("distance (m)")
         place.set_ylabel("correlation")
@@ -53,8 +51,9 @@ def write(section):
 
 def _flows(section):
     runs = section.runs("flows")
-    lengths = {flow: _length(runs.where(physics__flow__type=flow)) for flow in ("incompressible", "wcsph")}
-    one, other = lengths["incompressible"], lengths["wcsph"]
+    one, other = (runs.where(physics__flow__type=flow).estimate("correlation", "vorticity_level_axes",
+                                                                0.5 * runs.value("time.end"))
+                  for flow in ("incompressible", "wcsph"))
     gap = abs(one.mean - other.mean) / one.mean
     error = math.hypot(one.error, other.error) / one.mean
     known = math.isfinite(gap) and math.isfinite(error)
@@ -63,13 +62,3 @@ def _flows(section):
                   f"C = 0.2 at {other.text()} m by weakly compressible SPH, {one.text()} m by the flow on a mesh; a "
                   "pseudo-spectral solver says 1.15 ± 0.04 m")
 
-
-def _length(runs):
-    found = []
-    for table in runs.table_mean("correlation", "vorticity", 0.5 * runs.value("time.end")):
-        below = np.nonzero(table[:, 1] < 0.2)[0]
-        if len(below) and below[0] > 0:
-            n = below[0]
-            (r0, c0), (r1, c1) = table[n - 1, :2], table[n, :2]
-            found.append(r0 + (c0 - 0.2) / (c0 - c1) * (r1 - r0))
-    return over_seeds(found)

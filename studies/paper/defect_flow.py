@@ -28,8 +28,8 @@ def write(section):
         place.set_title(title)
         place.set_xlabel("x (m), along the defect's axis")
         place.set_ylabel("y (m)")
-    section.picture("dipole", page, "Velocity and its vorticity in the frame of the defect, averaged over all +1/2 defects, all times and seeds, beside the "
-                    "flow of a defect alone.", ("x", "y", "u", "v", "vorticity"), mean.tolist())
+    section.picture("dipole", page, "Streamlines and vorticity in the frame of the defect, averaged over all +1/2 "
+                    "defects, all times and seeds, beside the flow of a defect alone.", ("x", "y", "u", "v", "vorticity"), mean.tolist())
     core = inside & (np.hypot(x, y) < 0.5 * np.abs(x).max())
     measured, formula = np.concatenate([u[core], v[core]]), np.concatenate([fu[core], fv[core]])
     agreement = float(measured @ formula / np.sqrt((measured @ measured) * (formula @ formula)))

@@ -30,7 +30,7 @@ def write(section):
             director.draw(axes[len(constants) + column], scene, lines_across=40)
             axes[column].set_title(f"K = {constant:g} N")
             axes[len(constants) + column].set_title("")
-        lengths.append(_length(some, 0.6 * end))
+        lengths.append(some.estimate("correlation", "vorticity_level_radial", 0.6 * end))
         defects.append(some.estimate("defects", "count_plus", 0.6 * end))
         mixing.append(over_seeds([float(np.interp(0.5 * end, t, v)) for t, v in some.series("mixing", "mixing_index")]))
     section.picture("maps", page, "Vorticity with streamlines, director with defects.", ("K", "length", "defects", "mixing"),
@@ -48,13 +48,3 @@ def write(section):
     section.claim("A larger K mixes less.", above(mixing[0], mixing[-1]),
                   ", ".join(f"{a.text(2)} at {k:g} N" for k, a in zip(constants, mixing)))
 
-
-def _length(runs, start):
-    found = []
-    for table in runs.table_mean("correlation", "vorticity", start):
-        below = np.nonzero(table[:, 2] < 0.2)[0]
-        if len(below) and below[0] > 0:
-            n = below[0]
-            r, c = table[n - 1 : n + 1, 0], table[n - 1 : n + 1, 2]
-            found.append(float(r[0] + (c[0] - 0.2) / (c[0] - c[1]) * (r[1] - r[0])))
-    return over_seeds(found)

@@ -1,6 +1,6 @@
 """Vorticity and streamlines of a thin fluid at three magnifications."""
 
-from mesogen.claims import HOLDS, NOT_RESOLVED, above, over_seeds, Estimate
+from mesogen.claims import HOLDS, NOT_RESOLVED, Estimate, above
 from mesogen.figures import director, style, vorticity
 from mesogen.figures.scene import Scene
 
@@ -29,7 +29,7 @@ def write(section):
                 place = axes[2 * row + column]
                 vorticity.draw(place, scene)
                 if row == 2:
-                    director._draw_lines(place, scene, int(30 / share))
+                    director.draw_lines(place, scene, int(30 / share))
                 zoomed(place, scene, share)
                 place.set_title(f"ζ = {zeta:+g} Pa, {name}" if row == 0 else "")
             end = run.times[-1]

@@ -15,7 +15,7 @@
 #include <optional>
 
 #include "local_fit.hpp"
-#include "mesogen/analysis/director_grid.hpp"
+#include "mesogen/analysis/defect_search.hpp"
 #include "mesogen/diagnostics/error.hpp"
 #include "mesogen/plugin/by_id.hpp"
 #include "mesogen/plugin/observer.hpp"
@@ -134,21 +134,12 @@ class DefectFlow final : public Observer {
         .unit("m")
         .at_least(0.0)
         .doc("defects closer than this to another one, of any charge, are left out");
-    list.number("merge_distance", merge_distance_)
-        .unit("spacings")
-        .at_least(0.0)
-        .at_most(100.0)
-        .doc("pairs of opposite charges closer than this are left out: they are about to vanish, or noise");
-    list.number("smoothing_length", smoothing_length_)
-        .unit("spacings")
-        .above(0.25)
-        .at_most(10.0)
-        .doc("of the kernel that averages the order tensor and the velocity; its shape is that of the run's kernel");
+    search_.parameters(list);
   }
 
   void plan(const Scene& scene, ObserverPlan& plan) override {
     const auto fail = [](const std::string& text) { throw Error(ExitCode::bad_case, "defect_flow: " + text); };
-    if (scene.dimension != 2) fail("finds defects in two dimensions only");
+    analysis::DefectSearch::needs_plane(scene, "defect_flow");
     if (points_ % 2 == 0)
       fail("`points` must be odd, so that the defect is at one of them, but is " + std::to_string(points_));
     const double shortest = std::min(scene.box[0], scene.box[1]);
@@ -172,9 +163,7 @@ class DefectFlow final : public Observer {
 
   void sample(const ObserverContext& context, Sample& sample) override {
     const Scene& scene = context.scene();
-    const auto found = analysis::DirectorGrid(context, smoothing_length_).defects();
-    const auto defects =
-        isolated(analysis::without_close_pairs(found, scene, merge_distance_ * scene.spacing), scene, isolation_);
+    const auto defects = isolated(search_.find(context), scene, isolation_);
     std::vector<View> comets;
     std::vector<View> legs;
     for (const auto& defect : defects) {
@@ -188,7 +177,7 @@ class DefectFlow final : public Observer {
       count_minus_ += 1.0;
     }
     sph::SmoothingKernel kernel = context.kernel();
-    kernel.smoothing_length = smoothing_length_ * scene.spacing;
+    kernel.smoothing_length = search_.smoothing_length * scene.spacing;
     kernel.scale = 1.0;  // only the ratio of weights matters
     const Flow flow = flow_of(context, kernel.radius());
     sph::with_kernel_function<double>(kernel, [&](const auto& function) {
@@ -231,8 +220,7 @@ class DefectFlow final : public Observer {
   std::optional<double> radius_;
   std::int64_t points_ = 41;
   double isolation_ = 0.0;
-  double merge_distance_ = 1.5;
-  double smoothing_length_ = 1.0;
+  analysis::DefectSearch search_;
 
   double count_plus_ = 0.0;  // so far
   double count_minus_ = 0.0;

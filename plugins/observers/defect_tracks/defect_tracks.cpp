@@ -14,8 +14,7 @@
 #include <optional>
 
 #include "assignment.hpp"
-#include "mesogen/analysis/director_grid.hpp"
-#include "mesogen/diagnostics/error.hpp"
+#include "mesogen/analysis/defect_search.hpp"
 #include "mesogen/plugin/observer.hpp"
 #include "mesogen/plugin/plugin.hpp"
 
@@ -76,20 +75,11 @@ class DefectTracks final : public Observer {
             "a defect that is farther than this from where it was at the last sample is another one: the largest "
             "speed times the interval, but less than half the distance of like defects; auto: a quarter of the mean "
             "distance of defects, sqrt(area / number), or 5 spacings if that is more");
-    list.number("merge_distance", merge_distance_)
-        .unit("spacings")
-        .at_least(0.0)
-        .at_most(100.0)
-        .doc("pairs of opposite charges closer than this are left out: they are about to vanish, or noise");
-    list.number("smoothing_length", smoothing_length_)
-        .unit("spacings")
-        .above(0.25)
-        .at_most(10.0)
-        .doc("of the kernel that averages the order tensor onto the grid; its shape is that of the run's kernel");
+    search_.parameters(list);
   }
 
   void plan(const Scene& scene, ObserverPlan& plan) override {
-    if (scene.dimension != 2) throw Error(ExitCode::bad_case, "defect_tracks: finds defects in two dimensions only");
+    analysis::DefectSearch::needs_plane(scene, "defect_tracks");
     plan.reads("order_tensor");
     auto& table = plan.table("tracks", 8);
     table.unit("1, m, m, 1, rad, m/s, m/s, s")
@@ -113,8 +103,7 @@ class DefectTracks final : public Observer {
 
   void sample(const ObserverContext& context, Sample& sample) override {
     const Scene& scene = context.scene();
-    const auto defects = analysis::without_close_pairs(analysis::DirectorGrid(context, smoothing_length_).defects(),
-                                                       scene, merge_distance_ * scene.spacing);
+    const auto defects = search_.find(context);
     double births = 0.0;
     double deaths = 0.0;
     follow_tracks(defects, scene, context.time(), births, deaths);
@@ -249,8 +238,7 @@ class DefectTracks final : public Observer {
   }
 
   std::optional<double> max_displacement_;
-  double merge_distance_ = 1.5;
-  double smoothing_length_ = 1.0;
+  analysis::DefectSearch search_;
 
   std::vector<Track> tracks_;  // at the last sample, by id
   double last_time_ = none;    // of the last sample, s; NaN: there was none

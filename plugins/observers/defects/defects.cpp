@@ -1,7 +1,6 @@
 /// Where the director is singular: defects of charge +1/2 and -1/2, from the winding of the director on a grid.
 /// The method is in mesogen/analysis/director_grid.hpp.
-#include "mesogen/analysis/director_grid.hpp"
-#include "mesogen/diagnostics/error.hpp"
+#include "mesogen/analysis/defect_search.hpp"
 #include "mesogen/plugin/observer.hpp"
 #include "mesogen/plugin/plugin.hpp"
 
@@ -10,21 +9,10 @@ namespace {
 
 class Defects final : public Observer {
  public:
-  void parameters(ParameterList& list) override {
-    list.number("merge_distance", merge_distance_)
-        .unit("spacings")
-        .at_least(0.0)
-        .at_most(100.0)
-        .doc("pairs of opposite charges closer than this are left out: they are about to vanish, or noise");
-    list.number("smoothing_length", smoothing_length_)
-        .unit("spacings")
-        .above(0.25)
-        .at_most(10.0)
-        .doc("of the kernel that averages the order tensor onto the grid; its shape is that of the run's kernel");
-  }
+  void parameters(ParameterList& list) override { search_.parameters(list); }
 
   void plan(const Scene& scene, ObserverPlan& plan) override {
-    if (scene.dimension != 2) throw Error(ExitCode::bad_case, "defects: finds defects in two dimensions only");
+    analysis::DefectSearch::needs_plane(scene, "defects");
     plan.reads("order_tensor");
     plan.scalar("count_plus").doc("number of defects of charge +1/2");
     plan.scalar("count_minus").doc("number of defects of charge -1/2");
@@ -40,11 +28,10 @@ class Defects final : public Observer {
 
   void sample(const ObserverContext& context, Sample& sample) override {
     const Scene& scene = context.scene();
-    const analysis::DirectorGrid grid(context, smoothing_length_);
     double plus = 0.0;
     double minus = 0.0;
     std::vector<double> rows;
-    const auto defects = analysis::without_close_pairs(grid.defects(), scene, merge_distance_ * scene.spacing);
+    const auto defects = search_.find(context);
     for (const auto& defect : defects) {
       (defect.charge > 0.0 ? plus : minus) += 1.0;
       rows.insert(rows.end(), {defect.position[0], defect.position[1], defect.charge, defect.orientation});
@@ -57,8 +44,7 @@ class Defects final : public Observer {
   }
 
  private:
-  double merge_distance_ = 1.5;
-  double smoothing_length_ = 1.0;
+  analysis::DefectSearch search_;
 };
 
 }  // namespace

@@ -21,11 +21,13 @@ class Estimate:
     count: int
 
     def text(self, digits=3):
-        """As "0.158 ± 0.002", the mean to so many significant digits."""
+        """As "0.158 ± 0.002": the mean to so many significant digits, or as many as the error has."""
         if not math.isfinite(self.mean):
             return "none"
         size = math.floor(math.log10(abs(self.mean))) if self.mean else 0
         places = max(0, digits - 1 - size)
+        if self.error > 0:  # of the error at least one
+            places = max(places, -math.floor(math.log10(self.error)))
         error = f" ± {self.error:.{places}f}" if math.isfinite(self.error) else ""
         return f"{self.mean:.{places}f}{error}"
 

@@ -33,14 +33,14 @@ def draw(axes, scene, lines_across=46):
     image = axes.imshow(
         order, origin="lower", extent=scene.grid.extent, cmap=ORDER_COLOURS, vmin=0, vmax=top, interpolation="bicubic"
     )
-    _draw_lines(axes, scene, lines_across)
+    draw_lines(axes, scene, lines_across)
     draw_defects(axes, scene, 0.018 * max(scene.box))
     style.box_axes(axes, scene.box)
     style.titles(axes, "Director and order", scene)
     style.colour_bar(axes, image, "order q")
 
 
-def _draw_lines(axes, scene, lines_across):
+def draw_lines(axes, scene, lines_across):
     step = max(scene.box) / lines_across
     counts = np.maximum(1, np.rint(scene.box / step)).astype(int)
     x, y = ((np.arange(n) + 0.5) * length / n for n, length in zip(counts, scene.box))
