@@ -117,6 +117,12 @@ class Study(CommandTest):
                       err)
         self.assertIn("0 claims", self.page())
 
+    def test_a_section_that_asks_for_what_no_run_has_is_left_out(self):
+        self.write_case(SECTION.replace('"v_rms", 0.0', '"v_rsm", 0.0'), os.path.join("small", "speed.py"))
+        _, err = self.study("--quick")
+        self.assertRegex(err, r"warning: section speed is left out: .*no quantity 'v_rsm'")
+        self.assertIn("0 claims", self.page())
+
     def test_refusals(self):
         self.assertIn("error: nowhere: holds no study.toml; give the folder of a study, such as studies/paper",
                       self.mesogen("study", "nowhere", code=2)[1])

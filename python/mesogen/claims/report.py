@@ -3,6 +3,7 @@
 import datetime
 import os
 
+from ..errors import MesogenError
 from ..figures import style
 from ..study.ledger import write_file
 from ..study.machine import machine_text, version_text
@@ -10,7 +11,7 @@ from ..study.progress import duration_text
 from ..sweep import finished, read_sweep, run_sweep
 from ..sweep.records import Records
 from .page import page
-from .results import NothingThere, Results
+from .results import Results
 from .section import Section
 
 FOLDER = "report"
@@ -57,7 +58,7 @@ def write(study, results, folder, program):
         try:
             with style.settings():
                 file.write(section)
-        except NothingThere as error:
+        except MesogenError as error:  # no run, or one that lacks a quantity
             problems.append(f"section {file.name} is left out: {error}")
             continue
         sections.append(section)

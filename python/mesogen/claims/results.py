@@ -5,6 +5,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from ..errors import MesogenError
 from .estimate import over_seeds, time_mean
 
 
@@ -65,7 +66,7 @@ class Results:
         return found
 
 
-class NothingThere(Exception):
+class NothingThere(MesogenError):
     """A section lacks the runs that it needs."""
 
 
