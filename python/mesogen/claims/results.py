@@ -1,6 +1,7 @@
 """The finished runs of a sweep, by point and seed."""
 
 import math
+import warnings
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -62,7 +63,9 @@ class Results:
         for time, value in self.series(observer, quantity):
             inside = np.asarray(value, dtype=float)[np.asarray(time) > start]
             if len(inside):
-                found.append(np.nanmean(inside, axis=0))
+                with warnings.catch_warnings():
+                    warnings.simplefilter("ignore", RuntimeWarning)  # of a cell that is never known the mean is NaN
+                    found.append(np.nanmean(inside, axis=0))
         return found
 
 
