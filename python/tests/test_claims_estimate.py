@@ -4,7 +4,7 @@ import math
 import unittest
 
 from mesogen.claims import DOES_NOT_HOLD, HOLDS, NOT_RESOLVED, Claim, Estimate, above, agrees, over_seeds
-from mesogen.claims.estimate import slope, time_mean
+from mesogen.claims.estimate import slope
 from mesogen.claims.verdict import all_of
 
 
@@ -25,11 +25,6 @@ class Estimates(unittest.TestCase):
         self.assertEqual(Estimate(1234.0, 9.0, 3).text(2), "1234 ± 9")
         self.assertEqual(Estimate(2.0, math.nan, 1).text(2), "2.0")
         self.assertEqual(Estimate(math.nan, math.nan, 0).text(), "none")
-
-    def test_means_over_time_begin_after_the_start(self):
-        self.assertEqual(time_mean([0.0, 1.0, 2.0, 3.0], [9.0, 9.0, 1.0, 3.0], 1.0), 2.0)
-        self.assertEqual(time_mean([0.0, 1.0, 2.0, 3.0], [9.0, 9.0, 1.0, 3.0], 1.0, 2.0), 1.0)
-        self.assertTrue(math.isnan(time_mean([0.0, 1.0], [1.0, 1.0], 5.0)))
 
     def test_slope_of_a_power_law(self):
         self.assertAlmostEqual(slope([1.0, 2.0, 4.0], [3.0, 3.0 / 16, 3.0 / 256]), -4.0)

@@ -2,10 +2,9 @@
 
 import argparse
 import os
-import signal
 import sys
 
-from ..study.errors import Interrupted, StudyError
+from ..study.command import carry_out
 from ..study.progress import Progress
 from . import report
 from .study_file import read_study
@@ -43,19 +42,8 @@ def main(arguments=None):
     parser.add_argument("--write-only", action="store_true", help="run nothing: the report of what is there")
     parser.add_argument("--quiet", action="store_true", help="no progress")
     parser.add_argument("--mesogen", metavar="FILE", default="mesogen", help="the command that runs a case")
-    signal.signal(signal.SIGTERM, _stop)
-    try:
-        study_command(parser.parse_args(arguments))
-    except StudyError as error:
-        print(f"errors:\n{error}" if len(error.problems) > 1 else f"error: {error}", file=sys.stderr)
-        return 2
-    except (Interrupted, KeyboardInterrupt):
-        print("interrupted: what was done is kept; the same command goes on", file=sys.stderr)
-        return 130
-    except OSError as error:
-        print(f"error: {error}", file=sys.stderr)
-        return 1
-    return 0
+    options = parser.parse_args(arguments)
+    return carry_out(lambda: study_command(options))
 
 
 def _count(text):
@@ -63,10 +51,6 @@ def _count(text):
     if count < 1:
         raise argparse.ArgumentTypeError("must be at least 1")
     return count
-
-
-def _stop(*_):
-    raise Interrupted
 
 
 if __name__ == "__main__":

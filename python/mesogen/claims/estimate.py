@@ -5,6 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ..sweep.statistics import standard_error
 from .verdict import DOES_NOT_HOLD, HOLDS, NOT_RESOLVED
 
 # A difference is taken as seen beyond so many of its standard errors. With three seeds the error itself is uncertain:
@@ -37,15 +38,7 @@ def over_seeds(values):
     known = np.asarray([value for value in values if math.isfinite(value)], dtype=float)
     if not len(known):
         return Estimate(math.nan, math.nan, 0)
-    error = float(known.std(ddof=1) / math.sqrt(len(known))) if len(known) > 1 else math.nan
-    return Estimate(float(known.mean()), error, len(known))
-
-
-def time_mean(time, value, start, end=math.inf):
-    """Mean of the samples within (start, end] (s); NaN without any."""
-    time, value = np.asarray(time), np.asarray(value, dtype=float)
-    inside = value[(time > start) & (time <= end)]
-    return float(np.nanmean(inside)) if len(inside) and np.isfinite(inside).any() else math.nan
+    return Estimate(float(known.mean()), standard_error(known), len(known))
 
 
 def distance(one, other):

@@ -78,8 +78,11 @@ def _provenance(study, results, program):
                             f"{run.cost.cpu_seconds:.0f} s of processor time, {run.version}")
     facts.append(("Runs", f"{len(rows)}, {duration_text(seconds)} of processor time"))
     facts.append(("Every run", "\n".join(rows) + "\n"))
-    for name, found in results.items():
-        if found.runs:
-            with found.runs[0].open() as run:
-                facts.append((f"A case of {name}, with all defaults", run.case))
+    for name in results:
+        with open(study.sweep_file(name), encoding="utf-8") as file:
+            facts.append((f"Sweep {name}", file.read()))
+    first = next((found.runs[0] for found in results.values() if found.runs), None)
+    if first:
+        with first.open() as run:
+            facts.append((f"The case of {first.label}, with all defaults", run.case))
     return facts

@@ -7,7 +7,8 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from ..errors import MesogenError
-from .estimate import over_seeds, time_mean
+from ..sweep.statistics import time_mean
+from .estimate import over_seeds
 
 
 @dataclass
@@ -55,7 +56,7 @@ class Results:
 
     def estimate(self, observer, quantity, start, end=math.inf):
         """The Estimate over seeds of the mean over a span of time (s)."""
-        return over_seeds([time_mean(time, value, start, end) for time, value in self.series(observer, quantity)])
+        return over_seeds([time_mean(time, value, start, end).mean for time, value in self.series(observer, quantity)])
 
     def table_mean(self, observer, quantity, start):
         """Tables of constant size averaged over the samples after `start` (s): one array (rows, columns) a run."""

@@ -2,12 +2,12 @@
 
 import argparse
 import os
-import signal
 import sys
 
 from . import accuracy, stability
 from .accuracy_study import read_accuracy_study
-from .errors import Interrupted, StudyError
+from .command import carry_out
+from .errors import StudyError
 from .parts import only
 from .progress import Progress
 from .stability_study import read_stability_study
@@ -57,23 +57,8 @@ def main(arguments=None):
     parser.add_argument("--draw-only", action="store_true", help="run nothing: tables and charts of what is there")
     parser.add_argument("--quiet", action="store_true", help="no progress")
     parser.add_argument("--mesogen", metavar="FILE", default="mesogen", help="the command that runs a case")
-    signal.signal(signal.SIGTERM, _stop)
-    try:
-        chart(parser.parse_args(arguments))
-    except StudyError as error:
-        print(f"errors:\n{error}" if len(error.problems) > 1 else f"error: {error}", file=sys.stderr)
-        return 2
-    except (Interrupted, KeyboardInterrupt):
-        print("interrupted: what was done is kept; the same command goes on", file=sys.stderr)
-        return 130
-    except OSError as error:
-        print(f"error: {error}", file=sys.stderr)
-        return 1
-    return 0
-
-
-def _stop(*_):
-    raise Interrupted
+    options = parser.parse_args(arguments)
+    return carry_out(lambda: chart(options))
 
 
 if __name__ == "__main__":

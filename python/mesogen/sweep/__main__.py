@@ -2,10 +2,9 @@
 
 import argparse
 import os
-import signal
 import sys
 
-from ..study.errors import Interrupted, StudyError
+from ..study.command import carry_out
 from ..study.progress import Progress
 from . import slurm
 from .runner import list_runs, run_sweep
@@ -61,24 +60,8 @@ def main(arguments=None):
     parser.add_argument("--task", metavar="N", type=int, help="do one run of the job array")
     parser.add_argument("--quiet", action="store_true", help="no progress")
     parser.add_argument("--mesogen", metavar="FILE", default="mesogen", help="the command that runs a case")
-    signal.signal(signal.SIGTERM, _stop)
-    if signal.getsignal(signal.SIGHUP) != signal.SIG_IGN:  # as nohup wants it
-        signal.signal(signal.SIGHUP, _stop)
-    try:
-        return sweep(parser.parse_args(arguments))
-    except StudyError as error:
-        print(f"errors:\n{error}" if len(error.problems) > 1 else f"error: {error}", file=sys.stderr)
-        return 2
-    except (Interrupted, KeyboardInterrupt):
-        print("interrupted: what was done is kept; the same command goes on", file=sys.stderr)
-        return 130
-    except OSError as error:
-        print(f"error: {error}", file=sys.stderr)
-        return 1
-
-
-def _stop(*_):
-    raise Interrupted
+    options = parser.parse_args(arguments)
+    return carry_out(lambda: sweep(options))
 
 
 if __name__ == "__main__":
