@@ -5,6 +5,7 @@
 #include "exec/backend.hpp"
 #include "mesogen/exec/blocks.hpp"
 #include "mesogen/exec/for_each.hpp"
+#include "mesogen/exec/subnormals.hpp"
 
 namespace mesogen::exec {
 
@@ -113,6 +114,7 @@ Finding find_largest(const Space& space, Findings& findings, Index count, const 
   const Blocks blocks(count);
 #pragma omp parallel
   {
+    [[maybe_unused]] const FlushSubnormals flush;
     Maxima<Count> own{};
 #pragma omp for schedule(static) nowait
     for (Index block = 0; block < blocks.number(); ++block)

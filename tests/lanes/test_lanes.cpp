@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "mesogen/exec/lanes.hpp"
+#include "mesogen/exec/sum_across.hpp"
 #include "mesogen/sph/small_matrix.hpp"
 
 // The operations on packs, lane by lane against those on numbers: they must not depend on compiler or instruction set.
@@ -83,6 +84,25 @@ TYPED_TEST(Lanes, SumsAddAllLanes) {
     const auto row = this->row(static_cast<Real>(n), Real(1));
     EXPECT_EQ(total[n], std::accumulate(row.begin(), row.end(), Real(0))) << n;
   }
+}
+
+TYPED_TEST(Lanes, SumsAcrossPacksKeepTheirOrder) {
+  using Real = TypeParam;
+  constexpr int width = TestFixture::width;
+  Real packs[width][width];
+  for (int k = 0; k < width; ++k)
+    for (int lane = 0; lane < width; ++lane)
+      packs[k][lane] = static_cast<Real>(1000 * k + lane * lane);  // whole numbers: any order of additions is exact
+  typename TestFixture::Lane sums;
+  sum_across(packs, sums);
+  const auto found = this->numbers(sums);
+  for (int k = 0; k < width; ++k)
+    EXPECT_EQ(found[static_cast<std::size_t>(k)], std::accumulate(packs[k], packs[k] + width, Real(0))) << k;
+
+  const Real alone[1][1] = {{Real(0.25)}};
+  Real only = 0;
+  sum_across(alone, only);
+  EXPECT_EQ(only, Real(0.25));
 }
 
 TYPED_TEST(Lanes, InvertSymmetricMatrices) {

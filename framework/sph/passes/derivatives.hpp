@@ -1,5 +1,6 @@
 #pragma once
 
+#include "mesogen/exec/sum_across.hpp"
 #include "mesogen/sph/pair_sum.hpp"
 #include "sph/passes/fits.hpp"
 #include "sph/standard_passes.hpp"
@@ -34,26 +35,22 @@ class DerivativeLoop {
     const Index first = n * group;
     const int members = particles_ - first < group ? particles_ - first : group;
     Kept kept[group];
-    Columns<Fit::sum_count> moments;
+    Sums sums;
     for (int k = 0; k < members; ++k) {
       keep(first + k, kept[k]);
-      find_moments(first + k, kept[k], moments.row[k]);
+      find_moments(first + k, kept[k], sums, k);
     }
-    for (int k = members; k < group; ++k)
-      for (int m = 0; m < Fit::sum_count; ++m) moments.row[k][m] = Real(0);
     Lane moment[Fit::sum_count];
     Lane weight[Fit::weight_count];
-    moments.read(moment);
+    sums.read(members, moment);
     fit_.solve(moment, weight);
     if (wanted_.correction)
       for (int c = 0; c < Dim * Dim; ++c) put(weight[Fit::correction + c], &wanted_.correction(c, first), members);
     if constexpr (Count > 0) {
-      Columns<Fit::weight_count> weights;
-      weights.write(weight);
-      Columns<scalar_sums> scalars;
-      for (int k = 0; k < members; ++k) sum_scalars(first + k, kept[k], weights.row[k], scalars.row[k]);
+      Weights weights(weight);
+      for (int k = 0; k < members; ++k) sum_scalars(first + k, kept[k], weights.row[k], sums, k);
       Lane sum[scalar_sums];
-      scalars.read(sum);
+      sums.read(members, sum);
       finish(sum, weight, first, members);
     }
   }
@@ -66,24 +63,38 @@ class DerivativeLoop {
   struct Kept {
     int packs;
     Index j[most_kept];
-    alignas(Lane) Real slope[most_kept][group];
-    alignas(Lane) Real separation[Dim][most_kept][group];
+    struct {
+      alignas(Lane) Real slope[group];
+      Real separation[Dim][group];
+    } pack[most_kept];
   };
 
-  /// `Size` numbers of each particle of a group, by particle or as packs over the group.
-  template <int Size>
-  struct Columns {
-    Real row[group][Size];
+  /// Sums of each particle of a group, lanes not added up yet.
+  struct Sums {
+    static constexpr int most = Fit::sum_count > scalar_sums ? Fit::sum_count : scalar_sums;
+    alignas(Lane) Real lanes[most][group][group];
 
-    MESOGEN_HOST_DEVICE void read(Lane* pack) const {
-      for (int n = 0; n < Size; ++n) {
-        Real column[group];
-        for (int k = 0; k < group; ++k) column[k] = row[k][n];
-        exec::load(column, pack[n]);
+    template <int Number>
+    [[gnu::always_inline]] MESOGEN_HOST_DEVICE void set(int k, const Lane (&sum)[Number]) {
+      exec::unroll<Number>([&](auto n) __attribute__((always_inline)) { exec::store(sum[n], &lanes[n][k][0]); });
+    }
+    /// As packs over the group.
+    template <int Number>
+    MESOGEN_HOST_DEVICE void read(int members, Lane (&sum)[Number]) {
+      for (int n = 0; n < Number; ++n) {
+        for (int k = members; k < group; ++k)
+          for (int lane = 0; lane < group; ++lane) lanes[n][k][lane] = Real(0);
+        exec::sum_across(lanes[n], sum[n]);
       }
     }
-    MESOGEN_HOST_DEVICE void write(const Lane* pack) {
-      for (int n = 0; n < Size; ++n) {
+  };
+
+  /// The weights of each particle of a group.
+  struct Weights {
+    Real row[group][Fit::weight_count];
+
+    MESOGEN_HOST_DEVICE explicit Weights(const Lane* pack) {
+      for (int n = 0; n < Fit::weight_count; ++n) {
         Real column[group];
         exec::store(pack[n], column);
         for (int k = 0; k < group; ++k) row[k][n] = column[k];
@@ -114,8 +125,8 @@ class DerivativeLoop {
             const Weighed p = weighed(pair);
             const int n = packs < most_kept ? packs : most_kept - 1;
             kept.j[n] = pair.j;
-            exec::store(p.slope, &kept.slope[n][0]);
-            for (int d = 0; d < Dim; ++d) exec::store(p.separation[d], &kept.separation[d][n][0]);
+            exec::store(p.slope, &kept.pack[n].slope[0]);
+            for (int d = 0; d < Dim; ++d) exec::store(p.separation[d], &kept.pack[n].separation[d][0]);
             ++packs;
           });
     }
@@ -129,8 +140,8 @@ class DerivativeLoop {
       if (kept.packs <= most_kept) {
         for (int n = 0; n < kept.packs; ++n) {
           Weighed p;
-          exec::load(&kept.slope[n][0], p.slope);
-          for (int d = 0; d < Dim; ++d) exec::load(&kept.separation[d][n][0], p.separation[d]);
+          exec::load(&kept.pack[n].slope[0], p.slope);
+          for (int d = 0; d < Dim; ++d) exec::load(&kept.pack[n].separation[d][0], p.separation[d]);
           action(p, kept.j[n]);
         }
         return;
@@ -140,23 +151,23 @@ class DerivativeLoop {
         i, [&](const auto& pair) __attribute__((always_inline)) { action(weighed(pair), pair.j); });
   }
 
-  [[gnu::always_inline]] MESOGEN_HOST_DEVICE void find_moments(Index i, const Kept& kept, Real* total) const {
+  [[gnu::always_inline]] MESOGEN_HOST_DEVICE void find_moments(Index i, const Kept& kept, Sums& sums, int k) const {
     Lane sum[Fit::sum_count];
     exec::unroll<Fit::sum_count>([&](auto n) { sum[n] = Lane(Real(0)); });
     visit(
         i, kept, [&](const Weighed& p, Index) __attribute__((always_inline)) { fit_.add(p, sum); });
-    exec::sum_lanes(sum, total);
+    sums.set(k, sum);
   }
 
-  [[gnu::always_inline]] MESOGEN_HOST_DEVICE void sum_scalars(Index i, const Kept& kept, const Real* weight,
-                                                              Real* total) const {
+  [[gnu::always_inline]] MESOGEN_HOST_DEVICE void sum_scalars(Index i, const Kept& kept, const Real* weight, Sums& sums,
+                                                              int k) const {
     Real own[scalar_sums];
     Lane sum[scalar_sums];
     for (int n = 0; n < Count; ++n) own[n] = wanted_.source[n][i];
     exec::unroll<scalar_sums>([&](auto n) __attribute__((always_inline)) { sum[n] = Lane(Real(0)); });
     visit(
         i, kept, [&](const Weighed& p, Index j) __attribute__((always_inline)) { add(p, j, weight, own, sum); });
-    exec::sum_lanes(sum, total);
+    sums.set(k, sum);
   }
 
   [[gnu::always_inline]] MESOGEN_HOST_DEVICE void add(const Weighed& p, Index j, const Real* weight, const Real* own,

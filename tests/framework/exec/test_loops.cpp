@@ -47,6 +47,22 @@ TEST(Loops, AdvanceInDoubleAndRoundForPasses) {
   EXPECT_DOUBLE_EQ(found(largest.next()), 5.0);
 }
 
+// A step of particles on a lattice took half as long again before; a test cannot see that, but its cause.
+TEST(Loops, SubnormalNumbersAreZeroWithinALoopAndAgainThemselvesBehindIt) {
+  const int usual = omp_get_max_threads();
+  volatile float small = 1e-30F;
+  std::vector<float> products(1000, 1.0F);
+  for (const int threads : {1, 2}) {
+    omp_set_num_threads(threads);
+    exec::for_each({}, 1000, [&](Index i) { products[static_cast<std::size_t>(i)] = small * 1e-10F; });
+    EXPECT_EQ(std::count(products.begin(), products.end(), 0.0F), 1000) << threads << " threads";
+    exec::for_each({}, 1000, [&](Index i) { products[static_cast<std::size_t>(i)] = small; });
+    EXPECT_EQ(std::count(products.begin(), products.end(), 1e-30F), 1000) << threads << " threads";
+  }
+  omp_set_num_threads(usual);
+  EXPECT_GT(small * 1e-10F, 0.0F);
+}
+
 TEST(Loops, WhatIsNotANumberIsInfinitelyLarge) {
   const auto& loops = Backend::host().loops<double>();
   const auto largest = [&](const std::vector<double>& x) {
