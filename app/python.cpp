@@ -19,9 +19,11 @@ namespace {
 constexpr const char* python = "/usr/bin/python3";
 
 // Runs a module of the package as a command; before it, names the Debian packages that are missing, where there is no
-// traceback to read.
+// traceback to read. The current folder is no place for modules: it may hold a random.py of the user's.
 constexpr const char* program = R"(
-import importlib.util, runpy, sys
+import sys
+sys.path[:] = [folder for folder in sys.path if folder]
+import importlib.util, runpy
 verb, module = sys.argv[1:3]
 missing = [name for name in ("numpy", "h5py", "matplotlib") if importlib.util.find_spec(name) is None]
 if missing:

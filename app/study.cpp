@@ -17,6 +17,7 @@ void add_study(CLI::App& command, Action& action) {
     bool quick = false;
     bool full = false;
     bool write_only = false;
+    bool retry = false;
     bool quiet = false;
   };
   const auto options = std::make_shared<Options>();
@@ -35,6 +36,7 @@ void add_study(CLI::App& command, Action& action) {
       ->type_name("N");
   auto* const quick = verb->add_flag("--quick", options->quick, "Small boxes and short spans: what to expect");
   verb->add_flag("--full", options->full, "At the resolution of the paper")->excludes(quick);
+  verb->add_flag("--retry", options->retry, "Try runs that failed again");
   verb->add_flag("--write-only", options->write_only, "Run nothing: the report of what is there");
   verb->add_flag("--quiet", options->quiet, "Only the verdicts, warnings and errors, no progress");
   verb->callback([&action, options] {
@@ -46,6 +48,7 @@ void add_study(CLI::App& command, Action& action) {
       if (options->quick) arguments.emplace_back("--quick");
       if (options->full) arguments.emplace_back("--full");
       if (options->write_only) arguments.emplace_back("--write-only");
+      if (options->retry) arguments.emplace_back("--retry");
       if (options->quiet) arguments.emplace_back("--quiet");
       arguments.insert(arguments.end(), {"--", options->study});
       hand_over("study", "mesogen.claims", arguments);

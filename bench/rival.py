@@ -2,7 +2,7 @@
 """Particles against a grid: both flows of Mesogen and a serial finite-volume solver on the deterministic benchmark.
 
     bench/rival.py [--build build/release] [--across 16,24,32,48,64,96] [--large 128,192,256,512] [--threads 1]
-                   [--repeats 3] [--charts docs/study/rival] [-o TABLE.md] [--quick]
+                   [--repeats 3] [--charts docs/performance/rival] [-o TABLE.md] [--quick]
 
 Runs cases/accuracy/benchmark to 40 s at each resolution. Error: of v_rms at 20, 30, 40 s, root mean square, relative.
 Cost: processor time of stepping, s; with more threads the wall time of Mesogen's, beside the one core of the grid.
@@ -245,7 +245,7 @@ def main():
     parser.add_argument("--large", type=numbers, default=[128, 192, 256, 512], help="at which WCSPH is predicted")
     parser.add_argument("--threads", type=int, default=1, help="of Mesogen; the grid has one")
     parser.add_argument("--repeats", type=int, default=3)
-    parser.add_argument("--charts", type=pathlib.Path, default=PROJECT / "docs" / "study" / "rival")
+    parser.add_argument("--charts", type=pathlib.Path, default=PROJECT / "docs" / "performance" / "rival")
     parser.add_argument("-o", "--output", help="file for the tables (default: print)")
     parser.add_argument("--quick", action="store_true")
     options = parser.parse_args()

@@ -3,8 +3,9 @@
 import math
 import unittest
 
-from mesogen.claims import DOES_NOT_HOLD, HOLDS, NOT_RESOLVED, Claim, Estimate, above, agrees, over_seeds
-from mesogen.claims.estimate import slope
+from mesogen.claims import (DOES_NOT_HOLD, HOLDS, NOT_RESOLVED, Claim, Estimate, above, agrees, decided, exponent, over_seeds,
+                            ratio)
+from mesogen.claims.estimate import difference, student
 from mesogen.claims.verdict import all_of
 
 
@@ -25,10 +26,34 @@ class Estimates(unittest.TestCase):
         self.assertEqual(Estimate(1234.0, 9.0, 3).text(2), "1234 ± 9")
         self.assertEqual(Estimate(2.0, math.nan, 1).text(2), "2.0")
         self.assertEqual(Estimate(math.nan, math.nan, 0).text(), "none")
+        self.assertEqual(Estimate(0.95, 8e-17, 3).text(), "0.950000 ± 0.000000")
 
-    def test_slope_of_a_power_law(self):
-        self.assertAlmostEqual(slope([1.0, 2.0, 4.0], [3.0, 3.0 / 16, 3.0 / 256]), -4.0)
-        self.assertTrue(math.isnan(slope([1.0, 2.0], [0.0, 1.0])))
+    def test_exponent_of_a_power_law(self):
+        found = exponent([1.0, 2.0, 4.0], [Estimate(3.0 / 16**n, 0.0, 3) for n in range(3)])
+        self.assertAlmostEqual(found.mean, -4.0)
+        self.assertEqual(found.error, 0.0)
+        # Of two points it is the slope of a line: errors of 1 and 2 % over ln 4.
+        found = exponent([1.0, 4.0], [Estimate(2.0, 0.02, 3), Estimate(4.0, 0.08, 3)])
+        self.assertAlmostEqual(found.mean, 0.5)
+        self.assertAlmostEqual(found.error, math.hypot(0.01, 0.02) / math.log(4.0))
+        with self.assertRaisesRegex(ValueError, "two points or more"):
+            exponent([1.0], [Estimate(1.0, 0.0, 3)])
+
+    def test_student_is_that_of_the_tables(self):
+        for freedom, t in ((1, 12.706), (2, 4.303), (4, 2.776), (10, 2.228), (30, 2.042), (1e9, 1.960)):
+            self.assertAlmostEqual(student(freedom), t, delta=0.01)
+        self.assertTrue(math.isnan(student(0)))
+
+    def test_combinations(self):
+        found = difference(Estimate(3.0, 0.3, 3), Estimate(1.0, 0.4, 3))
+        self.assertEqual(found.mean, 2.0)
+        self.assertAlmostEqual(found.error, 0.5)
+        self.assertAlmostEqual(found.count, 1 + 0.5**4 / (0.3**4 / 2 + 0.4**4 / 2))  # Welch and Satterthwaite
+        self.assertAlmostEqual(difference(Estimate(1.0, 0.1, 3), Estimate(0.0, 0.1, 3)).count, 5.0)
+        self.assertAlmostEqual(difference(Estimate(1.0, 0.1, 3), Estimate(0.0, 0.0, 1)).count, 3.0)
+        found = ratio(Estimate(6.0, 0.3, 3), Estimate(2.0, 0.1, 3))
+        self.assertAlmostEqual(found.mean, 3.0)
+        self.assertAlmostEqual(found.error, 3.0 * math.hypot(0.05, 0.05))
 
 
 class Verdicts(unittest.TestCase):
@@ -38,13 +63,28 @@ class Verdicts(unittest.TestCase):
         self.assertEqual(above(low, high), DOES_NOT_HOLD)
         self.assertEqual(above(near, low), NOT_RESOLVED)
 
+    def test_two_seeds_say_less_than_five(self):
+        for count, verdict in ((2, NOT_RESOLVED), (5, HOLDS)):
+            self.assertEqual(above(Estimate(1.4, 0.1, count), Estimate(1.0, 0.1, count)), verdict)
+        exact = Estimate(0.0, 0.0, 1)
+        self.assertEqual(above(Estimate(0.4, 0.1, 3), exact), NOT_RESOLVED)
+        self.assertEqual(above(Estimate(0.5, 0.1, 3), exact), HOLDS)
+
+    def test_what_is_not_known_decides_nothing(self):
+        self.assertEqual(decided(True, 1.0), HOLDS)
+        self.assertEqual(decided(False, 1.0), DOES_NOT_HOLD)
+        self.assertEqual(decided(False, 1.0, math.nan), NOT_RESOLVED)
+
     def test_above_without_errors_is_not_resolved(self):
         self.assertEqual(above(Estimate(2.0, math.nan, 1), Estimate(1.0, math.nan, 1)), NOT_RESOLVED)
         self.assertEqual(above(Estimate(math.nan, math.nan, 0), Estimate(1.0, 0.1, 3)), NOT_RESOLVED)
 
     def test_agrees_within(self):
-        self.assertEqual(agrees(Estimate(-3.9, 0.1, 3), -4.0, 0.3), HOLDS)
+        self.assertEqual(agrees(Estimate(-3.9, 0.04, 3), -4.0, 0.3), HOLDS)
+        self.assertEqual(agrees(Estimate(-3.9, 0.06, 3), -4.0, 0.3), NOT_RESOLVED)  # 4.3 errors of three seeds: 0.26
+        self.assertEqual(agrees(Estimate(-3.9, 0.06, 11), -4.0, 0.3), HOLDS)
         self.assertEqual(agrees(Estimate(-3.0, 0.1, 3), -4.0, 0.3), DOES_NOT_HOLD)
+        self.assertEqual(agrees(Estimate(-4.0, math.nan, 1), -4.0, 0.3), NOT_RESOLVED)
         self.assertEqual(agrees(Estimate(-3.0, 0.5, 3), -4.0, 0.3), NOT_RESOLVED)
         self.assertEqual(agrees(Estimate(-4.0, 2.0, 3), -4.0, 0.3), NOT_RESOLVED)
 
@@ -55,7 +95,7 @@ class Verdicts(unittest.TestCase):
         self.assertEqual(all_of([]), NOT_RESOLVED)
 
     def test_a_claim_has_one_of_three_verdicts(self):
-        with self.assertRaisesRegex(ValueError, "'maybe' is no verdict; they are: holds, does not hold, not resolved"):
+        with self.assertRaisesRegex(ValueError, "'maybe' is no verdict; they are: holds, does not hold, not resolved; above"):
             Claim("Water is wet.", "maybe", "")
 
 

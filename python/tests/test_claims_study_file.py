@@ -66,6 +66,22 @@ class StudyFile(synthetic.FolderTest):
     def test_only_what_there_is(self):
         self.assert_refused('sections = ["speed"]', "has no section 'sped'", "quick", ["sped"])
 
+    def test_mistakes_in_sections(self):
+        self.put("speed.py", 'TITLE = "Speed"\nSWEEPS = "activity"\n\ndef write(section):\n    pass\n')
+        self.assert_refused('sections = ["speed"]', 'speed.py: SWEEPS must be a list of names, ["activity"]')
+        self.put("speed.py", 'TITLE = "Speed"\nSWEEPS = (\n')
+        self.assert_refused('sections = ["speed"]', "speed.py:2: ")
+        self.put("speed.py", 'TITLE = "Speed"\nSWEEPS = [name]\n')
+        self.assert_refused('sections = ["speed"]', "speed.py:2: NameError: name 'name' is not defined")
+
+    def test_changes_of_any_mode_are_checked(self):
+        self.assert_refused('sections = ["speed"]\n[full.activty]\nseeds = [1]\n',
+                            'full.activty: no such sweep; did you mean')
+        self.assert_refused('quick = true\nsections = ["speed"]\n', "quick: must hold tables [quick.SWEEP]")
+        for seeds in ("3", "[]", "[1, 1]", "[-1]", '["a"]', "[true]"):
+            self.assert_refused(f'sections = ["speed"]\n[quick.activity]\nseeds = {seeds}\n',
+                                "quick.activity.seeds: must be a list of different whole numbers, each at least 0")
+
     def test_wrong_changes(self):
         self.assert_refused('sections = ["speed"]\n[quick.activity]\nend = 2.0\n',
                             "quick.activity.end: is neither `seeds` nor a dotted key of a case", "quick")

@@ -1,11 +1,8 @@
 """The elastic constant."""
 
-import math
-
 import numpy as np
 
-from mesogen.claims import above, agrees, over_seeds
-from mesogen.claims.estimate import Estimate, slope
+from mesogen.claims import above, agrees, exponent, over_seeds
 from mesogen.claims.verdict import all_of
 from mesogen.figures import director, style, vorticity
 from mesogen.figures.scene import Scene
@@ -39,10 +36,9 @@ def write(section):
                   [(f"{k:g}", a.text(), b.text(), c.text(2)) for k, a, b, c in zip(constants, lengths, defects, mixing)])
     section.claim("Vortices grow with K.", all_of(above(b, a) for a, b in zip(lengths, lengths[1:])),
                   ", ".join(f"{a.text()} m at {k:g} N" for k, a in zip(constants, lengths)))
-    power = slope(constants, [a.mean for a in lengths])
-    spread = math.hypot(*(a.error / a.mean for a in (lengths[0], lengths[-1]))) / math.log(constants[-1] / constants[0])
-    section.claim("Their size goes as the root of K / ζ.", agrees(Estimate(power, spread, 3), 0.5, 0.1),
-                  f"exponent of K: {power:.2f} ± {spread:.2f}")
+    power = exponent(constants, lengths)
+    section.claim("Their size goes as the root of K / ζ.", agrees(power, 0.5, 0.1),
+                  f"exponent of K: {power.text(2)}; asked for within 0.1")
     section.claim("Defects become fewer as K rises.", all_of(above(a, b) for a, b in zip(defects, defects[1:])),
                   ", ".join(f"{a.text()} at {k:g} N" for k, a in zip(constants, defects)))
     section.claim("A larger K mixes less.", above(mixing[0], mixing[-1]),

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from mesogen.claims import DOES_NOT_HOLD, HOLDS, over_seeds
+from mesogen.claims import decided, over_seeds
 from mesogen.figures import style
 from mesogen.figures.director import ORDER_COLOURS, draw_defects
 from mesogen.figures.scene import Scene
@@ -39,15 +39,15 @@ def write(section):
         rows.append((f"{zeta:+g}", largest[zeta].text(), shares[zeta].text()))
     section.picture("order", page, "The order q and the defects.", quality=88)
     section.table(("ζ, Pa", "q that 0.1 % of the particles exceed", f"share of the box with q > {ORDERED:g}"), rows)
-    section.claim("q lies between 0 and 1.", HOLDS if all(x.mean <= 1.01 for x in largest.values()) else DOES_NOT_HOLD,
+    section.claim("q lies between 0 and 1.", decided(all(x.mean <= 1.01 for x in largest.values()), *(x.mean for x in largest.values())),
                   f"one particle in a thousand is above {largest[0.023].text()} (extensile) and {largest[-0.023].text()} "
                   "(contractile)", "Flow alignment raises the order above that of rest where the fluid is stretched: "
                   "nothing in the equations holds q below 1.")
     section.claim("Most of the box is ordered, q near 1.",
-                  HOLDS if all(x.mean > 0.5 for x in shares.values()) else DOES_NOT_HOLD,
+                  decided(all(x.mean > 0.5 for x in shares.values()), *(x.mean for x in shares.values())),
                   "; ".join(f"ζ = {zeta:+g} Pa: q > {ORDERED:g} in {100 * x.mean:.0f} %" for zeta, x in shares.items()))
     if at_defects:
-        section.claim("Defects lie on walls of low order.", HOLDS if max(at_defects) < 0.8 else DOES_NOT_HOLD,
+        section.claim("Defects lie on walls of low order.", decided(max(at_defects) < 0.8),
                       f"q at {len(at_defects)} defects is at most {max(at_defects):.2f}, {np.mean(at_defects):.2f} in the mean")
 
 

@@ -110,16 +110,52 @@ class Study(CommandTest):
         self.assertEqual(len(self.runs()), 6)
 
     def test_write_only_runs_nothing_and_says_what_is_missing(self):
-        out, err = self.study("--write-only", "--quick")
+        out, err = self.study("--write-only", "--quick", code=1)
         self.assertFalse(os.path.exists(self.path("out", "activity", "runs.csv")))
         self.assertIn("warning: activity: activity_0.05-seed_1: was not run", err)
         self.assertIn("warning: section speed is left out: there is no finished run of activity, physics.activity.activity = 0.05",
                       err)
         self.assertIn("0 claims", self.page())
+        self.assertIn("Missing: activity: activity_0.05-seed_1: was not run", self.page())
+        self.assertNotIn("--retry", err)
+
+    def test_a_mistake_in_one_section_costs_no_other(self):
+        self.write_case(SECTION.replace("fast.text()", "fast.txet()"), os.path.join("small", "bad.py"))
+        self.write_case(STUDY.replace('["speed"]', '["bad", "speed"]'), os.path.join("small", "study.toml"))
+        out, err = self.study("--quick", code=1)
+        self.assertRegex(err, r"warning: section bad is left out: small/bad\.py:13: AttributeError: .*'txet'")
+        self.assertIn("holds  Speed: More activity is faster.", out)
+        self.assertIn("Missing: section bad is left out: small/bad.py:13", self.page())
+
+    def test_a_section_is_told_what_there_is(self):
+        for asked, words in (("physics__activty__activity=z", "no run of activity has 'physics.activty.activity'; did you mean "
+                              "'physics.activity.activity'?"),
+                             ("physics__activity__activity=z + 1", "there is no finished run of activity, physics.activity.activity "
+                              "= 1.05; in those that there are physics.activity.activity is one of: 0.05, 0.5")):
+            self.write_case(SECTION.replace("physics__activity__activity=z", asked), os.path.join("small", "speed.py"))
+            self.assertIn(words, self.study("--quick", code=1)[1])
+        self.write_case(SECTION.replace('"v_rms", 0.0', '"v_rms", 7.0'), os.path.join("small", "speed.py"))
+        self.assertIn("'flow.v_rms' of activity, physics.activity.activity = 0.05 has no sample after 7 s; the last is at",
+                      self.study("--quick", code=1)[1])
+
+    def test_a_mistake_in_the_last_sweep_shows_before_the_first_run(self):
+        self.write_case(SWEEP.replace("activity.activity", "activity.activty"), os.path.join("small", "other.toml"))
+        self.write_case(SECTION.replace('["activity"]', '["activity", "other"]'), os.path.join("small", "speed.py"))
+        self.assertIn("activty", self.study("--quick", code=2)[1])
+        self.assertFalse(os.path.exists(self.path("out", "activity", "runs")))
+
+    def test_a_change_that_points_make_again_is_refused(self):
+        self.write_case(STUDY.replace("[quick.activity]", '[quick.activity]\n"physics.activity.activity" = 0.1'),
+                        os.path.join("small", "study.toml"))
+        self.assertIn("study.toml: quick.activity.physics.activity.activity: is without effect", self.study("--quick", code=2)[1])
+
+    def test_the_folder_is_no_place_for_modules(self):
+        self.write_case("raise SystemExit('mine')\n", "random.py")
+        self.assertIn("was not run", self.study("--write-only", code=1)[1])
 
     def test_a_section_that_asks_for_what_no_run_has_is_left_out(self):
         self.write_case(SECTION.replace('"v_rms", 0.0', '"v_rsm", 0.0'), os.path.join("small", "speed.py"))
-        _, err = self.study("--quick")
+        _, err = self.study("--quick", code=1)
         self.assertRegex(err, r"warning: section speed is left out: .*no quantity 'v_rsm'")
         self.assertIn("0 claims", self.page())
 

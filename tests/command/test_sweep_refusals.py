@@ -91,10 +91,21 @@ class Refusals(SweepTest):
         _, err = self.sweep("--quiet", code=2)
         self.assertRegex(err, r"^error: sweep\.toml: no quantity 'speed' in observer 'flow' of out/runs/\S+/results\.h5; "
                               r"there are: .*v_rms")
+        self.assertIn("done", self.sweep("--list")[0])  # the run is on record all the same
         self.write(SWEEP.replace("v_rms", "total_momentum"), "sweep.toml")
         _, err = self.sweep("--quiet", code=2)
         self.assertEqual(err, "error: sweep.toml: 'flow.total_momentum' is a table in each sample; a sweep collects "
                               "numbers\n")
+
+    def test_two_sweeps_of_one_name(self):
+        self.sweep("--quiet")
+        os.mkdir(self.path("other"))
+        for name in ("sweep.toml", "case.toml"):
+            with open(self.path(name), encoding="utf-8") as file:
+                self.write(file.read().replace("seeds = [1, 2]", "seeds = [1, 2, 3]"), os.path.join("other", name))
+        _, err = self.mesogen("sweep", "other/sweep.toml", "--output", "out", code=2)
+        self.assertRegex(err, r"^error: out holds the runs of /\S+/sweep\.toml, another sweep: give --output DIR, or rename "
+                              r"other/sweep\.toml\n$")
 
     def test_a_span_without_samples(self):
         self.write(SWEEP.replace("from = 0.02", "from = 5.0"), "sweep.toml")

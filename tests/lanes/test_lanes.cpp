@@ -88,16 +88,16 @@ TYPED_TEST(Lanes, SumsAddAllLanes) {
 
 TYPED_TEST(Lanes, SumsAcrossPacksKeepTheirOrder) {
   using Real = TypeParam;
-  constexpr int width = TestFixture::width;
-  Real packs[width][width];
-  for (int k = 0; k < width; ++k)
-    for (int lane = 0; lane < width; ++lane)
+  constexpr int count = TestFixture::width;
+  Real packs[count][count];
+  for (int k = 0; k < count; ++k)
+    for (int lane = 0; lane < count; ++lane)
       packs[k][lane] = static_cast<Real>(1000 * k + lane * lane);  // whole numbers: any order of additions is exact
   typename TestFixture::Lane sums;
   sum_across(packs, sums);
   const auto found = this->numbers(sums);
-  for (int k = 0; k < width; ++k)
-    EXPECT_EQ(found[static_cast<std::size_t>(k)], std::accumulate(packs[k], packs[k] + width, Real(0))) << k;
+  for (int k = 0; k < count; ++k)
+    EXPECT_EQ(found[static_cast<std::size_t>(k)], std::accumulate(packs[k], packs[k] + count, Real(0))) << k;
 
   const Real alone[1][1] = {{Real(0.25)}};
   Real only = 0;

@@ -1,4 +1,4 @@
-"""The command: mesogen study FOLDER [-o DIR] [--quick | --full] [--only SECTION]... [--write-only]"""
+"""The command: mesogen study FOLDER [-o DIR] [--quick | --full] [--only SECTION]... [--retry | --write-only]"""
 
 import argparse
 import os
@@ -18,7 +18,7 @@ def study_command(options):
     folder = options.output or os.path.join("output", "studies", name if mode == "standard" else f"{name}_{mode}")
     results = report.gather(study, folder, options.mesogen, options.parallel, not options.write_only,
                             lambda total, done: Progress(total, done, options.quiet),
-                            lambda line: None if options.quiet else print(line, file=sys.stderr, flush=True))
+                            lambda line: None if options.quiet else print(line, file=sys.stderr, flush=True), options.retry)
     sections, problems = report.write(study, results, folder, options.mesogen)
     for section in sections:
         for claim in section.claims:
@@ -26,10 +26,11 @@ def study_command(options):
     for problem in problems:
         print(f"warning: {problem}", file=sys.stderr)
     print(f"wrote {os.path.join(folder, report.FOLDER, 'index.html')}")
+    return 1 if problems else 0
 
 
 def main(arguments=None):
-    """The command. Returns its exit code: 0; 1 if a file cannot be written; 2 if the study is wrong; 130 if it was
+    """The command. Returns its exit code: 0; 1 if a run or a section is missing, or a file cannot be written; 2 if the study is wrong; 130 if it was
     interrupted."""
     parser = argparse.ArgumentParser(prog="mesogen study", description="Runs a study and reports which claims hold.")
     parser.add_argument("study", metavar="FOLDER", help="folder of a study")
@@ -40,6 +41,7 @@ def main(arguments=None):
     modes.add_argument("--quick", action="store_true", help="small boxes and short spans")
     modes.add_argument("--full", action="store_true", help="at the resolution of the paper")
     parser.add_argument("--write-only", action="store_true", help="run nothing: the report of what is there")
+    parser.add_argument("--retry", action="store_true", help="try runs that failed again")
     parser.add_argument("--quiet", action="store_true", help="no progress")
     parser.add_argument("--mesogen", metavar="FILE", default="mesogen", help="the command that runs a case")
     options = parser.parse_args(arguments)
@@ -47,10 +49,9 @@ def main(arguments=None):
 
 
 def _count(text):
-    count = int(text)
-    if count < 1:
-        raise argparse.ArgumentTypeError("must be at least 1")
-    return count
+    if not text.isdecimal() or int(text) < 1:
+        raise argparse.ArgumentTypeError(f"must be a whole number of at least 1, not '{text}'")
+    return int(text)
 
 
 if __name__ == "__main__":

@@ -8,29 +8,48 @@ import numpy as np
 from ..sweep.statistics import standard_error
 from .verdict import DOES_NOT_HOLD, HOLDS, NOT_RESOLVED
 
-# A difference is taken as seen beyond so many of its standard errors. With three seeds the error itself is uncertain:
-# Student's t says 2.8 for 5 % of two samples of three.
-CLEAR = 2.8
+# Student's t for 95 %, both sides, of 1 to 10 degrees of freedom, and of any number: a few seeds do not know their own
+# error well.
+STUDENT = (12.706, 4.303, 3.182, 2.776, 2.571, 2.447, 2.365, 2.306, 2.262, 2.228)
+NORMAL = 1.960
 
 
 @dataclass(frozen=True)
 class Estimate:
-    """A mean and its standard error, over `count` independent values; NaN for the error of one value."""
+    """A mean and its standard error, of `count` independent values; NaN for the error of one value.
+
+    Of a combination of such, count is one more than its degrees of freedom. An exact number has no error: 0.
+    """
 
     mean: float
     error: float
-    count: int
+    count: float
+
+    @property
+    def uncertainty(self):
+        """Half the width of its 95 % interval; NaN if that is not known."""
+        if not self.error > 0:
+            return self.error
+        return student(self.count - 1) * self.error
 
     def text(self, digits=3):
         """As "0.158 ± 0.002": the mean to so many significant digits, or as many as the error has."""
         if not math.isfinite(self.mean):
             return "none"
         size = math.floor(math.log10(abs(self.mean))) if self.mean else 0
-        places = max(0, digits - 1 - size)
+        places = fewest = max(0, digits - 1 - size)
         if self.error > 0:  # of the error at least one
-            places = max(places, -math.floor(math.log10(self.error)))
+            places = min(max(places, -math.floor(math.log10(self.error))), fewest + digits)
         error = f" ± {self.error:.{places}f}" if math.isfinite(self.error) else ""
         return f"{self.mean:.{places}f}{error}"
+
+
+def student(freedom):
+    """How many standard errors hold 95 % of what there may be; NaN below one degree of freedom."""
+    if not freedom >= 1:
+        return math.nan
+    known = [1 / n for n in range(len(STUDENT), 0, -1)]
+    return float(np.interp(1 / freedom, [0.0, *known], [NORMAL, *reversed(STUDENT)]))
 
 
 def over_seeds(values):
@@ -41,39 +60,58 @@ def over_seeds(values):
     return Estimate(float(known.mean()), standard_error(known), len(known))
 
 
-def distance(one, other):
-    """How far one lies above the other, in standard errors of the difference; NaN if that is not known."""
-    error = math.hypot(one.error, other.error)
-    gap = one.mean - other.mean
-    if not error > 0:
-        return math.copysign(math.inf, gap) if error == 0 and gap != 0 else math.nan
-    return gap / error
+def combined(mean, *parts):
+    """The Estimate of a combination: parts are (error that it has from one part, count of that part). Degrees of freedom
+    by Welch and Satterthwaite."""
+    error = math.hypot(*(error for error, _ in parts))
+    terms = [error**4 / (count - 1) if count > 1 else math.nan for error, count in parts if error != 0]
+    freedom = error**4 / sum(terms) if terms and sum(terms) > 0 else 0
+    return Estimate(mean, error, freedom + 1)
 
 
-def above(one, other, clear=CLEAR):
-    """The verdict on "one lies above the other"."""
-    apart = distance(one, other)
-    if math.isnan(apart) or abs(apart) < clear:
+def difference(one, other):
+    """one - other."""
+    return combined(one.mean - other.mean, (one.error, one.count), (other.error, other.count))
+
+
+def ratio(one, other):
+    """one / other."""
+    value = one.mean / other.mean
+    return combined(value, *((abs(value * part.error / part.mean), part.count) for part in (one, other)))
+
+
+def above(one, other):
+    """The verdict on "one lies above the other": whether 0 lies outside the 95 % interval of the difference."""
+    apart = difference(one, other)
+    if not (math.isfinite(apart.mean) and abs(apart.mean) > apart.uncertainty):
         return NOT_RESOLVED
-    return HOLDS if apart > 0 else DOES_NOT_HOLD
+    return HOLDS if apart.mean > 0 else DOES_NOT_HOLD
 
 
-def agrees(one, value, within, clear=CLEAR):
-    """The verdict on "one is `value`, but for `within`": it holds if the mean lies inside and its error is small enough to
-    say so, does not if it lies clearly outside."""
+def agrees(one, value, within):
+    """The verdict on "one is `value`, but for `within`": it holds if the 95 % interval lies inside, does not if it lies
+    outside."""
     off = abs(one.mean - value)
-    error = one.error if math.isfinite(one.error) else math.inf
-    if not math.isfinite(off):
-        return NOT_RESOLVED
-    if off <= within and error <= within:
+    if off + one.uncertainty <= within:
         return HOLDS
-    return DOES_NOT_HOLD if off - clear * error > within else NOT_RESOLVED
+    return DOES_NOT_HOLD if off - one.uncertainty > within else NOT_RESOLVED
 
 
-def slope(x, y):
-    """Exponent p of y ~ x^p by least squares over the logarithms; x, y above 0. NaN below two points."""
-    x, y = np.asarray(x, dtype=float), np.asarray(y, dtype=float)
-    known = (x > 0) & (y > 0) & np.isfinite(x) & np.isfinite(y)
-    if known.sum() < 2:
-        return math.nan
-    return float(np.polyfit(np.log(x[known]), np.log(y[known]), 1)[0])
+def decided(holds, *numbers):
+    """The verdict on a condition over some numbers; where one of them is not known it says nothing."""
+    if not all(math.isfinite(number) for number in numbers):
+        return NOT_RESOLVED
+    return HOLDS if holds else DOES_NOT_HOLD
+
+
+def exponent(x, estimates):
+    """The Estimate of p in y ~ x^p by least squares over the logarithms; x and the means above 0, two points or more.
+
+    Raises ValueError for fewer points.
+    """
+    if len(x) < 2:
+        raise ValueError("an exponent needs two points or more")
+    log = np.log(np.asarray(x, dtype=float))
+    weight = (log - log.mean()) / ((log - log.mean()) ** 2).sum()  # p = sum of weight ln y
+    mean = float(weight @ np.log([one.mean for one in estimates]))
+    return combined(mean, *((float(abs(w) * one.error / one.mean), one.count) for w, one in zip(weight, estimates)))

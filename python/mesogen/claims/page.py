@@ -56,10 +56,12 @@ for (const player of document.querySelectorAll(".player")) {
 """
 
 
-def page(study, sections, provenance):
-    """The text of index.html. sections: filled Sections. provenance: [(what, text)]; long texts are folded."""
+def page(study, sections, provenance, problems=()):
+    """The text of index.html. sections: filled Sections. provenance: [(what, text)]; long texts are folded. problems: what is
+    missing, in words."""
     claims = [(section, claim) for section in sections for claim in section.claims]
     body = [f"<h1>{_text(study.title)}</h1>", f'<p class="quiet">{_text(study.source)}</p>', _summary(claims)]
+    body += [f'<p class="fails">Missing: {_text(problem)}.</p>' for problem in problems]
     for section in sections:
         body.append(f'<h2 id="{section.name}">{_text(section.title)}</h2>')
         if section.figure_of_paper:

@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from ..errors import MesogenError
+from ..study.table_reader import nearest
 from ..sweep.statistics import time_mean
 from .estimate import over_seeds
 
@@ -23,13 +24,27 @@ class Results:
         """Those whose point has these values; dots of keys are written as two underscores:
         where(physics__activity__activity=0.023)."""
         wanted = {key.replace("__", "."): value for key, value in conditions.items()}
+        known = {key for one in self.runs for key in one.run.overrides}
+        for key in wanted:
+            if self.runs and key not in known:
+                raise NothingThere(f"no run of {self.name} has '{key}'{nearest(key, sorted(known))}")
         name = self.name + "".join(f", {key} = {value}" for key, value in wanted.items())
-        return Results(name, [one for one in self.runs
-                              if all(_same(one.run.overrides.get(key), value) for key, value in wanted.items())])
+        found = [one for one in self.runs
+                 if all(_same(one.run.overrides.get(key), value) for key, value in wanted.items())]
+        if self.runs and not found:
+            there = "; ".join(f"{key} is one of: {', '.join(map(str, self.points(key)))}" for key in wanted)
+            raise NothingThere(f"there is no finished run of {name}; in those that there are {there}")
+        return Results(name, found)
 
     def points(self, key):
-        """Values at a key, in the order of the sweep."""
-        return list(dict.fromkeys(one.run.overrides[key] for one in self.runs if key in one.run.overrides))
+        """Values at a key, in the order of the sweep; raises NothingThere if there is no run."""
+        self.first()
+        values = []
+        for one in self.runs:
+            value = one.run.overrides.get(key)
+            if value is not None and not any(_same(value, other) for other in values):
+                values.append(value)
+        return values
 
     def first(self):
         """The first of them; raises NothingThere if there is none."""
@@ -55,8 +70,15 @@ class Results:
         return found
 
     def estimate(self, observer, quantity, start, end=math.inf):
-        """The Estimate over seeds of the mean over a span of time (s)."""
-        return over_seeds([time_mean(time, value, start, end).mean for time, value in self.series(observer, quantity)])
+        """The Estimate over seeds of the mean over a span of time (s). Raises NothingThere if no run has a sample there."""
+        means = [time_mean(time, value, start, end) for time, value in self.series(observer, quantity)]
+        if not any(one.known for one in means):
+            raise NothingThere(f"'{observer}.{quantity}' of {self.name} {means[0].problem}")
+        return over_seeds([one.mean for one in means])
+
+    def processor_seconds(self):
+        """The Estimate over seeds of the processor time of a run, s."""
+        return over_seeds([whole_cost(one)[1] for one in self.runs])
 
     def table_mean(self, observer, quantity, start):
         """Tables of constant size averaged over the samples after `start` (s): one array (rows, columns) a run."""
@@ -68,6 +90,15 @@ class Results:
                     warnings.simplefilter("ignore", RuntimeWarning)  # of a cell that is never known the mean is NaN
                     found.append(np.nanmean(inside, axis=0))
         return found
+
+
+def whole_cost(finished):
+    """(steps, seconds of processor time) of a run. What was spent before it was gone on with is not on record: it is taken
+    to have been as fast. NaN seconds if the last session took no step."""
+    with finished.open() as run:
+        cost = run.cost
+    steps = cost.first_step + cost.steps
+    return steps, cost.cpu_seconds * steps / cost.steps if cost.steps else math.nan
 
 
 class NothingThere(MesogenError):

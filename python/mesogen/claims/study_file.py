@@ -2,6 +2,7 @@
 
 import importlib.util
 import os
+import traceback
 from dataclasses import dataclass
 
 from ..study.errors import StudyError
@@ -61,8 +62,11 @@ def read_study(folder, mode="standard", only=()):
     if problems:
         raise StudyError(problems)
     sections = tuple(_read_section(folder, name) for name in names if not only or name in only)
+    problems = [problem for one in MODES for problem in _wrong_changes(data.get(one, {}), f"{file}: {one}", folder)]
+    if problems:
+        raise StudyError(problems)
     study = Study(data.get("title", os.path.basename(os.path.abspath(folder))), data.get("source", ""), folder, mode,
-                  sections, _changes(data, file, mode))
+                  sections, data.get(mode, {}))
     for name in study.sweeps:
         if not os.path.isfile(study.sweep_file(name)):
             raise StudyError(f"{study.sweep_file(name)}: no such sweep; a section of {file} needs it")
@@ -75,21 +79,57 @@ def _read_section(folder, name):
         raise StudyError(f"{file}: no such file; study.toml has a section '{name}'")
     spec = importlib.util.spec_from_file_location(f"mesogen_section_{name}", file)
     module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
+    try:
+        spec.loader.exec_module(module)
+    except SyntaxError as error:
+        raise StudyError(f"{error.filename}:{error.lineno}: {error.msg}") from error
+    except Exception as error:
+        raise StudyError(f"{file}{_line(error, file)}: {type(error).__name__}: {error}") from error
     lacking = [what for what in ("TITLE", "SWEEPS", "write") if not hasattr(module, what)]
     if lacking:
         raise StudyError(f"{file}: a section must have {', '.join(lacking)}")
+    if isinstance(module.SWEEPS, str):
+        raise StudyError(f'{file}: SWEEPS must be a list of names, ["{module.SWEEPS}"]')
     return SectionFile(name, module.TITLE, getattr(module, "FIGURE", ""), tuple(module.SWEEPS), module.write)
 
 
-def _changes(data, file, mode):
-    """Of a mode: what [quick.SWEEP] or [full.SWEEP] change."""
-    tables = data.get(mode, {}) if mode != "standard" else {}
+def where(study, error):
+    """Where in a file of the study an error arose, "FILE:LINE: "; "" if it did not."""
+    for section in study.sections:
+        file = os.path.join(study.folder, section.name + ".py")
+        line = _line(error, file)
+        if line:
+            return f"{file}{line}: "
+    return ""
+
+
+def _line(error, file):
+    lines = [frame.lineno for frame in traceback.extract_tb(error.__traceback__) if os.path.abspath(frame.filename) == os.path.abspath(file)]
+    return f":{lines[-1]}" if lines else ""
+
+
+def _wrong_changes(tables, at, folder):
+    """What is wrong with [quick] or [full], where [quick.SWEEP] tells what changes in a sweep."""
+    if not isinstance(tables, dict):
+        return [f"{at}: must hold tables [{at.rsplit(' ', 1)[-1]}.SWEEP] of keys that a sweep changes"]
+    sweeps = sorted(name[:-5] for name in os.listdir(folder) if name.endswith(".toml") and name != "study.toml")
+    problems = []
     for sweep, table in tables.items():
         if not isinstance(table, dict):
-            raise StudyError(f"{file}: {mode}.{sweep}: must be a table of keys that a sweep changes: [{mode}.SWEEP]")
+            problems.append(f"{at}.{sweep}: must be a table of keys that a sweep changes: [{at.rsplit(' ', 1)[-1]}.SWEEP]")
+            continue
+        if sweep not in sweeps:
+            problems.append(f"{at}.{sweep}: no such sweep{nearest(sweep, sweeps)}")
         for key, value in table.items():
-            if key != "seeds" and ("." not in key or not is_value(value)):
-                raise StudyError(f'{file}: {mode}.{sweep}.{key}: is neither `seeds` nor a dotted key of a case such as '
-                                 '"particles.spacing" with a value')
-    return tables
+            if key == "seeds":
+                if not _is_seeds(value):
+                    problems.append(f"{at}.{sweep}.seeds: must be a list of different whole numbers, each at least 0")
+            elif "." not in key or not is_value(value):
+                problems.append(f'{at}.{sweep}.{key}: is neither `seeds` nor a dotted key of a case such as '
+                                '"particles.spacing" with a value')
+    return problems
+
+
+def _is_seeds(value):
+    return (isinstance(value, list) and value != [] and all(type(seed) is int and seed >= 0 for seed in value)
+            and len(set(value)) == len(value))

@@ -19,7 +19,8 @@ class Claim:
 
     def __post_init__(self):
         if self.verdict not in VERDICTS:
-            raise ValueError(f"'{self.verdict}' is no verdict; they are: {', '.join(VERDICTS)}")
+            raise ValueError(f"'{self.verdict}' is no verdict; they are: {', '.join(VERDICTS)}; above(), "
+                             "agrees() and decided() make one")
 
 
 def all_of(verdicts):

@@ -42,7 +42,7 @@ class Attempt:
                                 gentle=True)
 
     def poll(self):
-        """Its row once it has ended, None before. Raises StudyError if mesogen refuses it or a quantity is not there."""
+        """Its row once it has ended, None before. Raises StudyError if mesogen refuses it."""
         try:
             outcome = self._process.poll()
         except Refused:
@@ -52,6 +52,14 @@ class Attempt:
             self._start()
             return None
         return None if outcome is None else self._row(outcome)
+
+    def check_quantities(self):
+        """Of a run that is done: raises StudyError if a quantity of the sweep is not there."""
+        try:
+            with open_run(self.records.results(self.run)) as run:
+                check_series(run, self.records.sweep.quantities)
+        except MesogenError as error:
+            raise StudyError(f"{self.records.sweep.file}: {error}") from error
 
     def stop(self):
         """Ends it; it leaves a checkpoint. Without effect where it has ended."""
@@ -73,7 +81,6 @@ class Attempt:
         if outcome.status == "done":
             try:
                 with open_run(self.records.results(self.run)) as run:
-                    check_series(run, self.records.sweep.quantities)
                     cost = run.cost
             except MesogenError as error:
                 raise StudyError(f"{self.records.sweep.file}: {error}") from error

@@ -1,6 +1,7 @@
 """What is known of the runs of a sweep, in its folder:
 
     runs/LABEL/         what the run wrote: results.h5, checkpoints, ...
+    owner               the sweep's file
     state/LABEL/key     for what that was begun: a run's key, and mesogen's defaults
     state/LABEL/row.csv how it ended, where a task of a job array did it; the next sweep moves it to runs.csv
     runs.csv            how each ended
@@ -9,8 +10,10 @@ A row of runs.csv is about what lies in runs/ only while the key there is that o
 for another case has no row yet.
 """
 
+import filecmp
 import os
 
+from ..study.errors import StudyError
 from ..study.ledger import Ledger, locked, write_file
 from ..study.machine import DEFAULTS
 
@@ -31,6 +34,19 @@ class Records:
 
     def state(self, run, *name):
         return os.path.join(self.folder, "state", run.label, *name)
+
+    def claim(self):
+        """Notes whose folder this is. Raises StudyError if another sweep, of the same name, has its runs there."""
+        note = os.path.join(self.folder, "owner")
+        file = os.path.abspath(self.sweep.file)
+        if os.path.exists(note):
+            with open(note, encoding="utf-8") as stream:
+                owner = stream.read().strip()
+            if owner != file and os.path.exists(owner) and not filecmp.cmp(owner, file, shallow=False):
+                raise StudyError(f"{self.folder} holds the runs of {owner}, another sweep: give --output DIR, or rename "
+                                 f"{self.sweep.file}")
+        os.makedirs(self.folder, exist_ok=True)
+        write_file(note, file + "\n")
 
     def gather(self):
         """Moves what tasks of a job array wrote to the ledger."""

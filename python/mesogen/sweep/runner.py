@@ -22,6 +22,7 @@ def run_sweep(sweep, folder, program="mesogen", parallel=None, progress=Progress
     """
     with locked(folder, busy_text(folder)):
         records = Records(sweep, folder, Program(program))
+        records.claim()
         records.gather()
         waiting = prepare(records, tell, retry)
         shown = progress(len(sweep.runs), len(sweep.runs) - len(waiting))
@@ -78,6 +79,8 @@ def _work(records, waiting, at_a_time, shown):
                     one.stop()
                     walls.append(row["wall_seconds"])
                     shown.end(row_text(row, one.resumed), one.run.label)
+                    if row["status"] == "done":  # not before it is on record: a misspelt name must not cost the run
+                        one.check_quantities()
             shown.tick()
             time.sleep(PAUSE)
     finally:
@@ -110,6 +113,8 @@ def run_task(sweep, run, folder, program, retry=False):
         while (row := attempt.poll()) is None:
             time.sleep(PAUSE)
         Ledger(records.state(run, "row.csv"), COLUMNS).add(row)
+        if row["status"] == "done":
+            attempt.check_quantities()
         return row
     finally:
         attempt.stop()

@@ -34,6 +34,7 @@ def submit(sweep, folder, program, options="", at_a_time=None, dry=False, retry=
     """
     with locked(folder, busy_text(folder)):
         records = Records(sweep, folder, Program(program))
+        records.claim()
         records.gather()
         _refuse_twice(folder)
         waiting = prepare(records, tell, retry)
