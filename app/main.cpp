@@ -1,10 +1,14 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <csignal>
 #include <exception>
 #include <iostream>
 #include <new>
+#include <string>
+#include <vector>
 
+#include "case/nearest.hpp"
 #include "diagnostics/version.hpp"
 #include "verbs.hpp"
 
@@ -27,6 +31,20 @@ ExitCode explain(const CLI::App& command) {
   const auto given = command.get_subcommands();
   fmt::print(stderr, "{}", given.empty() ? command.help() : given.front()->help(command.get_name()));
   return ExitCode::bad_case;
+}
+
+/// A word where a verb is expected, which CLI11 calls an argument that was not.
+std::string unknown_verb(const CLI::App& command) {
+  const CLI::App* group = &command;
+  while (!group->get_subcommands().empty()) group = group->get_subcommands().front();
+  std::vector<std::string> verbs;
+  for (const CLI::App* verb : group->get_subcommands({})) verbs.push_back(verb->get_name());
+  const auto words = command.remaining(true);
+  if (verbs.empty() || words.empty() || words.front().starts_with('-')) return {};
+  const std::string before = group == &command ? "mesogen" : "mesogen " + group->get_name();
+  const std::string hint = mesogen::did_you_mean(words.front(), verbs);
+  return fmt::format("{} has no verb \"{}\"{}", before, words.front(),
+                     hint.empty() ? fmt::format("; there are: {}", fmt::join(verbs, ", ")) : hint);
 }
 
 }  // namespace
@@ -57,6 +75,9 @@ int main(int count, char** arguments) {
     try {
       command.parse(count, arguments);
     } catch (const CLI::ParseError& error) {
+      if (const std::string text = unknown_verb(command);
+          !text.empty() && error.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExtrasError))
+        return tell(ExitCode::bad_case, text);
       const int result = command.exit(error, std::cout, std::cerr);
       return static_cast<int>(result == 0 ? ExitCode::done : ExitCode::bad_case);
     }

@@ -25,12 +25,23 @@ std::filesystem::path default_folder(const std::string& case_file) {
   return std::filesystem::path("output") / name;
 }
 
+/// Refuses the folder in which the run's own case.toml would replace the case given.
+void keep_case(const std::filesystem::path& folder, const std::string& case_file) {
+  const auto stored = folder / "case.toml";
+  std::error_code ignored;
+  if (std::filesystem::equivalent(stored, case_file, ignored))
+    throw Error(ExitCode::bad_case, stored.string() +
+                                        " is the case to be run, and a run keeps its own case.toml there: choose "
+                                        "another --output");
+}
+
 ExitCode run(const Options& options) {
   use_threads(options.running);
   const auto registry = load_plugins(options.source.plugin_folders, options.running.quiet);
   Case source = read(options.source, registry);
   RunOptions run;
   run.folder = options.output.empty() ? default_folder(options.source.file) : std::filesystem::path(options.output);
+  keep_case(run.folder, options.source.file);
   run.overwrite = options.overwrite;
   run.profile = options.running.profile;
   run.trace = options.running.trace;

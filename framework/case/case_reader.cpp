@@ -185,6 +185,14 @@ class CaseReader {
     }
   }
 
+  /// Names of the tables that have a type.
+  static std::vector<std::string> typed(const Value::Table& group) {
+    std::vector<std::string> names;
+    for (const auto& [name, place, inner] : group)
+      if (inner.find("type") != nullptr) names.push_back(name);
+    return names;
+  }
+
   std::vector<PluginChoice> instances(const std::string& group, const std::vector<std::string>& framework_keys) {
     constexpr std::string_view letters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-";
     std::vector<PluginChoice> choices;
@@ -197,6 +205,10 @@ class CaseReader {
         problems_.add(place, path, "must be a table with a type, [" + path + "], but is " + shown(inner));
       } else if (name.empty() || name.find_first_not_of(letters) != std::string::npos) {
         problems_.add(place, path, "the name may hold only letters, digits, _ and -");
+      } else if (const std::string meant = inner.find("type") == nullptr ? nearest(name, typed(*table)) : "";
+                 !meant.empty()) {
+        problems_.add(inner.place, path + ".type",
+                      "must be given: a text (name of the plugin); did you mean \"" + joined(group, meant) + "\"?");
       } else {
         choices.push_back(choice(section(path), framework_keys));
       }

@@ -162,7 +162,11 @@ std::string read_text_file(const std::string& path, Problems& problems) {
     return std::string{};
   };
   std::error_code ignored;
-  if (std::filesystem::is_directory(path, ignored)) return refuse("cannot be read as a case: it is a folder");
+  if (std::filesystem::is_directory(path, ignored)) {
+    const auto inside = std::filesystem::path(path) / "case.toml";
+    const bool is_there = std::filesystem::is_regular_file(inside, ignored);
+    return refuse("cannot be read as a case: it is a folder" + (is_there ? "; take " + inside.string() : ""));
+  }
   errno = 0;
   std::ifstream file(path, std::ios::binary);
   if (!file) return refuse(std::string("cannot be read: ") + std::strerror(errno));

@@ -17,9 +17,9 @@ constexpr double many_spacings = 4.0;  // 0.4 %
 // More are no help to anyone.
 constexpr double most_particles = 2e7;
 
-/// xi = sqrt(K / |A|) in spacings; 0 where there is no nematic.
+/// xi = sqrt(K / |A|) in spacings; 0 where there is no nematic, or one without order and so without defects.
 double core_in_spacings(const Setup& setup) {
-  const double bulk = std::abs(published(setup, "bulk_A"));
+  const double bulk = -published(setup, "bulk_A");
   return bulk > 0.0 ? std::sqrt(published(setup, "elastic_constant") / bulk) / setup.scene.spacing : 0.0;
 }
 
@@ -48,7 +48,7 @@ std::optional<Advice> core_under_resolved(const AdviceInput& input) {
 std::optional<Advice> core_over_resolved(const AdviceInput& input) {
   const double spacings = core_in_spacings(input.setup);
   if (spacings < many_spacings) return std::nullopt;
-  const double bulk = std::abs(published(input.setup, "bulk_A"));
+  const double bulk = -published(input.setup, "bulk_A");
   if (std::abs(published(input.setup, "activity")) > bulk) return std::nullopt;
   const double coarser = spacings / good_spacings;
   return Advice{

@@ -26,6 +26,7 @@ Rule short_step;
 Rule large_output;
 // advice_activity.cpp
 Rule nothing_grows;
+Rule no_order;
 
 /// A constant that a plugin published; 0 if none did.
 inline double published(const Setup& setup, const char* name) {

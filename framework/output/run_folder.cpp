@@ -83,6 +83,15 @@ std::optional<RunLock> start_new_folder(const fs::path& folder, const std::strin
   throw output::system_error(ExitCode::bad_case, "make the folder", folder, error.value());
 }
 
+/// A case.toml that no run stored: a run has its lock beside it.
+bool holds_other_case(const fs::path& folder) {
+  std::error_code error;
+  return fs::exists(folder / "case.toml", error) && !fs::exists(folder / "mesogen.lock", error) &&
+         std::ranges::none_of(run_files, [&](const std::string& name) {
+           return name != "case.toml" && fs::exists(folder / name, error);
+         });
+}
+
 }  // namespace
 
 namespace output {
@@ -149,6 +158,10 @@ RunLock start_run_folder(const fs::path& given, const std::string& case_text, bo
   std::error_code error;
   if (fs::exists(folder, error) && !fs::is_directory(folder, error))
     throw Error(ExitCode::bad_case, folder.string() + " is a file: choose another --output");
+  if (holds_other_case(folder))
+    throw Error(ExitCode::bad_case, (folder / "case.toml").string() +
+                                        " was not stored by a run, and a run keeps its own case.toml there: choose "
+                                        "another --output, or move it away");
   const auto refuse_run = [&] {
     if (!overwrite && holds_run(folder))
       throw Error(ExitCode::bad_case, folder.string() +

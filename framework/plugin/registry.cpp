@@ -154,8 +154,10 @@ Error PluginRegistry::missing(PluginKind kind, std::string_view name) const {
   if (known.empty())
     return {ExitCode::bad_case,
             fmt::format("there is no {} plugin at all; looked in: {}", to_string(kind), fmt::join(paths(), ", "))};
-  return {ExitCode::bad_case, fmt::format("no {} plugin is called \"{}\" (there are: {}){}", to_string(kind), name,
-                                          fmt::join(known, ", "), did_you_mean(name, known))};
+  return {ExitCode::bad_case, fmt::format("no {} plugin is called \"{}\" (there are: {}){}; a plugin of your own "
+                                          "is found with --plugin-path DIR or MESOGEN_PLUGIN_PATH=DIR, DIR being its "
+                                          "folder build/plugins",
+                                          to_string(kind), name, fmt::join(known, ", "), did_you_mean(name, known))};
 }
 
 std::vector<std::string> PluginRegistry::paths() const {

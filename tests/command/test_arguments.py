@@ -39,9 +39,17 @@ class Arguments(CommandTest):
             self.assertIn("list", err)
 
     def test_unknown_verb(self):
-        for wrong in (["simulate"], ["plugin", "simulate"]):
-            _, err = self.mesogen(*wrong, code=2)
-            self.assertIn("simulate", err)
+        for wrong, text in ((["rnu", "case.toml"], 'mesogen has no verb "rnu"; did you mean "run"?'),
+                            (["plugin", "lsit"], 'mesogen plugin has no verb "lsit"; did you mean "list"?'),
+                            (["field", "simulate"], 'mesogen field has no verb "simulate"; there are: list')):
+            self.assertEqual(self.mesogen(*wrong, code=2), ("", f"error: {text}\n"))
+        _, err = self.mesogen("simulate", code=2)
+        self.assertRegex(err, r'^error: mesogen has no verb "simulate"; there are: run, resume, .*, study\n$')
+
+    def test_argument_too_many_is_no_verb(self):
+        _, err = self.mesogen("run", self.write_case(), "more", code=2)
+        self.assertNotIn("verb", err)
+        self.assertIn("more", err)
 
     def test_unknown_option(self):
         _, err = self.mesogen("run", self.write_case(), "--gpu", code=2)

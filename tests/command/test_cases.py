@@ -59,6 +59,25 @@ class Runs(CommandTest):
         self.mesogen("run", case, "--output", "out", "--overwrite")
         self.assertGreater(os.stat(self.path("out", "results.h5")).st_mtime_ns, before)
 
+    def test_case_is_not_replaced_by_its_run(self):
+        case = self.write_case()
+        os.symlink("case.toml", self.path("link.toml"))
+        for given in ("case.toml", case, "link.toml"):
+            for more in ([], ["--overwrite"]):
+                self.assertEqual(self.mesogen("run", given, "-o", ".", *more, code=2),
+                                 ("", "error: ./case.toml is the case to be run, and a run keeps its own case.toml "
+                                      "there: choose another --output\n"))
+        self.mesogen("run", case, "-o", "out")
+        _, err = self.mesogen("run", "out/case.toml", "-o", "out", "--overwrite", code=2)
+        self.assertIn("out/case.toml is the case to be run", err)
+        self.assertTrue(os.path.exists(self.path("out", "results.h5")))
+        self.write_case(CASE + "# other\n", "other.toml")
+        _, err = self.mesogen("run", "other.toml", "-o", ".", "--overwrite", code=2)
+        self.assertEqual(err, "error: ./case.toml was not stored by a run, and a run keeps its own case.toml there: "
+                              "choose another --output, or move it away\n")
+        with open(case, encoding="utf-8") as file:
+            self.assertEqual(file.read(), CASE)
+
     def test_profile_names_the_passes(self):
         _, err = self.mesogen("run", self.write_case(), "--output", "out", "--profile")
         self.assertRegex(err, r"\d+\.\d+ % .* physics\.activity: ")

@@ -104,7 +104,8 @@ def where(study, error):
 
 
 def _line(error, file):
-    lines = [frame.lineno for frame in traceback.extract_tb(error.__traceback__) if os.path.abspath(frame.filename) == os.path.abspath(file)]
+    lines = [frame.lineno for frame in traceback.extract_tb(error.__traceback__)
+             if os.path.abspath(frame.filename) == os.path.abspath(file)]
     return f":{lines[-1]}" if lines else ""
 
 

@@ -146,6 +146,14 @@ TEST(ReadCase, ReportsUnreadableFiles) {
   Problems folder;
   read_case("/tmp", {}, folder);
   EXPECT_EQ(folder.text(), "/tmp: cannot be read as a case: it is a folder");
+  const auto scene = std::filesystem::path(::testing::TempDir()) / "mesogen_scene";
+  std::filesystem::create_directories(scene);
+  std::ofstream(scene / "case.toml") << good_case;
+  Problems with_case;
+  read_case(scene.string(), {}, with_case);
+  EXPECT_EQ(with_case.text(),
+            scene.string() + ": cannot be read as a case: it is a folder; take " + scene.string() + "/case.toml");
+  std::filesystem::remove_all(scene);
   Problems endless;
   read_case("/dev/zero", {}, endless);
   EXPECT_EQ(endless.text(), "/dev/zero: cannot be read as a case: it is larger than 4 MiB");
@@ -209,6 +217,16 @@ TEST(Overrides, AreCheckedLikeTheFile) {
   EXPECT_EQ(problems_of(good_case, {"a..b=1"}),
             "--set: must be a key and a value, such as physics.flow.viscosity=0.5, but is \"a..b=1\"");
   EXPECT_EQ(problems_of(good_case, {"title=\xff"}), "--set: title: its value is not valid UTF-8");
+}
+
+TEST(Overrides, OfAMisspeltSectionAreToldItsName) {
+  EXPECT_EQ(
+      problems_of(good_case, {"physics.activty.activity=0.1"}),
+      "--set: physics.activty.type: must be given: a text (name of the plugin); did you mean \"physics.activity\"?");
+  EXPECT_EQ(problems_of(good_case, {"observers.flwo.interval=0.1"}),
+            "--set: observers.flwo.type: must be given: a text (name of the plugin); did you mean \"observers.flow\"?");
+  EXPECT_EQ(problems_of(good_case, {"physics.other.activity=0.1"}),
+            "--set: physics.other.type: must be given: a text (name of the plugin)");
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <numbers>
@@ -125,6 +126,65 @@ TEST(Advice, AboveTheThresholdWavesGrow) {
   EXPECT_LT(growth(before), 0.9);
   EXPECT_GT(growth(after), 1.1);
   expect_settled(text, *found);
+}
+
+CaseText disordered(double activity, const char* bulk) {
+  CaseText text(1.0, 20);
+  text.modes("director", "[[1, 0, 0.01, 0.0]]")
+      .flow(0.1)
+      .section("physics.nematic", fmt::format("type = \"beris_edwards\"\nrotational_diffusivity = 1.0\n"
+                                              "flow_alignment = 0.7\nelastic_constant = 0.02\nbulk = {}",
+                                              bulk))
+      .active(activity);
+  return text;
+}
+
+TEST(Advice, BelowZeroInBulkOrderLasts) {
+  const CaseText text = disordered(0.03, "{ A = 1.0, C = 0.5 }");
+  const auto found = advised(text, "no_order");
+  ASSERT_TRUE(found);
+  EXPECT_EQ(
+      found->finding,
+      "physics.nematic.bulk.A, 1 Pa, is not below 0: the order decays, and with it all that the activity acts on");
+  EXPECT_EQ(found->settings, std::vector<std::string>{"physics.nematic.bulk.A=-1"});
+  EXPECT_EQ(found->gain, "the nematic keeps an order of 1");
+  CaseRun before(text);
+  CaseRun after(text, found->settings);
+  for (CaseRun* run : {&before, &after}) run->run_to(3.0);
+  EXPECT_LT(std::abs(before.field("order_tensor", 0).front()), 0.1);
+  EXPECT_NEAR(after.field("order_tensor", 0).front(), 1.0, 0.01);
+  expect_settled(text, *found);
+}
+
+TEST(Advice, WithoutAFourthOrderBothBulkCoefficientsAreGiven) {
+  const CaseText text = disordered(0.03, "{ A = 0.4, C = 0.0 }");
+  const auto found = advised(text, "no_order");
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->settings, (std::vector<std::string>{"physics.nematic.bulk.A=-0.4", "physics.nematic.bulk.C=0.2"}));
+  expect_settled(text, *found);
+}
+
+TEST(Advice, DisorderIsLeftWhereItIsMeantOrActivityOrders) {
+  EXPECT_FALSE(advised(disordered(0.0, "{ A = 1.0, C = 0.5 }"), "no_order"));
+  // lambda zeta / (2 mu) = 3.5 / s, where the longest wave decays by 1.8 / s
+  const CaseText strong = disordered(1.0, "{ A = 1.0, C = 0.5 }");
+  EXPECT_FALSE(advised(strong, "no_order"));
+  CaseRun run(strong, {"director.order=0.01"});
+  const auto largest = [](CaseRun& of) {
+    double most = 0.0;
+    for (const int n : {0, 1})
+      for (const double q : of.field("order_tensor", n)) most = std::max(most, std::abs(q));
+    return most;
+  };
+  run.run_to(12.0);
+  EXPECT_GT(largest(run), 0.1);
+}
+
+// Where there is no order there are no defects.
+TEST(Advice, CoresMatterOnlyWhereThereIsOrder) {
+  for (const char* name : {"core_under_resolved", "core_over_resolved"})
+    for (const char* bulk : {"{ A = 20.0, C = 10.0 }", "{ A = 0.01, C = 0.5 }"})
+      EXPECT_FALSE(advised(disordered(0.005, bulk), name)) << name << bulk;
 }
 
 TEST(Advice, FewerFramesTakeFewerBytes) {

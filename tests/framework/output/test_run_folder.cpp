@@ -52,6 +52,25 @@ TEST(RunFolder, MayBeThereAlreadyWithOtherFiles) {
   EXPECT_EQ(bytes_of(parent.path() / "used/notes.txt"), "mine");
 }
 
+TEST(RunFolder, IsRefusedIfItHoldsACaseThatNoRunStored) {
+  const TemporaryFolder folder;
+  put_bytes(folder.path() / "case.toml", "mine");
+  for (const bool overwrite : {false, true})
+    EXPECT_EQ(refusal_of(folder.path(), overwrite),
+              (folder.path() / "case.toml").string() +
+                  " was not stored by a run, and a run keeps its own case.toml there: choose another --output, or move "
+                  "it away");
+  EXPECT_EQ(stored_case(folder.path()), "mine");
+  EXPECT_FALSE(fs::exists(folder.path() / "mesogen.lock"));
+}
+
+TEST(RunFolder, OfARunKilledAtItsStartIsOverwritten) {
+  const TemporaryFolder parent;
+  (void)start_run_folder(parent.path() / "run", "old", false);
+  (void)start_run_folder(parent.path() / "run", "new", true);
+  EXPECT_EQ(stored_case(parent.path() / "run"), "new");
+}
+
 TEST(RunFolder, StartsAfterAStartThatWasKilled) {
   const TemporaryFolder parent;
   fs::create_directory(parent.path() / ".run.starting");

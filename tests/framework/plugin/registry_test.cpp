@@ -157,7 +157,8 @@ TEST(PluginRegistry, SuggestsTheNearestName) {
   EXPECT_STREQ(
       error.what(),
       "no kernel plugin is called \"quintik\" (there are: quintic, wendland_c2, wendland_c4, wendland_c6); did you "
-      "mean \"quintic\"?");
+      "mean \"quintic\"?; a plugin of your own is found with --plugin-path DIR or MESOGEN_PLUGIN_PATH=DIR, DIR being "
+      "its folder build/plugins");
 }
 
 TEST(PluginRegistry, SaysWhyAPluginIsMissingIfItWasRefused) {

@@ -8,8 +8,8 @@ namespace mesogen::exec {
 
 /// As long as it lives, numbers too small for full precision (below 1.2e-38 in single precision) are zero on this
 /// thread. A processor takes a hundred times as long over one, and particles on a lattice make many: a moment of fourth
-/// order of two that lie side by side. Every loop has it, so results do not depend on who runs what. Where there is no
-/// such switch it does nothing.
+/// order of two that lie side by side. `for_each` and the search for the largest have it, on all threads. Where there
+/// is no such switch it does nothing.
 class FlushSubnormals {
 #if defined(__SSE__) && !defined(__CUDACC__)
  public:

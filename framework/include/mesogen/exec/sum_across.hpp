@@ -35,7 +35,8 @@ template <int (*First)(int), int Apart, class Vector, int... n>
   return __builtin_shufflevector(a, b, First(n)...) + __builtin_shufflevector(a, b, (First(n) + Apart)...);
 }
 
-/// Of `Count` packs: lane n mod Count holds a part of the sum of pack n.
+/// Of `Count` packs: parts of their sums, in the order of the packs within 128 bits or more. Once Count is the width
+/// each lane holds the sum of its pack.
 template <int Count, class Vector, class Real>
 [[gnu::always_inline]] inline Vector sum_across(const Real* packs) {
   constexpr int width = sizeof(Vector) / sizeof(Real);
