@@ -108,10 +108,12 @@ class Refusals(SweepTest):
                               r"other/sweep\.toml\n$")
 
     def test_a_span_without_samples(self):
-        self.write(SWEEP.replace("from = 0.02", "from = 5.0"), "sweep.toml")
+        self.assertEqual(self.refusal(SWEEP.replace("from = 0.02", "from = 5.0")),
+                         "error: sweep.toml: quantity[1].from: 5 s, but no run goes on beyond 'time.end' = 0.1 s\n")
+        self.write(SWEEP.replace("from = 0.02", "from = 0.07\nuntil = 0.09") + '[common]\n"observers.flow.interval" = 0.06\n', "sweep.toml")
         out, _ = self.sweep("--quiet")
         self.assertRegex(out, r"\n- activity_0\.05-seed_1, activity_-0\.05-seed_1, thick-seed_1 and 3 more: flow\.v_rms has no "
-                              r"sample after 5 s; the last is at 0\.1\d* s\n")
+                              r"sample after 0\.07 s.* 0\.09 s; the last is at 0\.1\d* s\n")
 
     def test_what_mesogen_refuses(self):
         err = self.refusal(SWEEP + '[common]\n"physics.flow.viscosty" = 1.0\n')

@@ -1,21 +1,35 @@
 """What is wrong with a sweep whose parts are right by themselves."""
 
+import math
+
 from ..study.table_reader import nearest
 
 
-def conflicts(sweep, seed_keys_given):
-    """Problems as texts, with their place in the sweep's file but without the file."""
+def conflicts(sweep, seed_keys_given, own):
+    """Problems as texts, with their place in the sweep's file but without the file. own: the file's [common], without what a
+    study changes: that may end runs before a quantity begins, since a study has means of its own."""
     there = list(_keys(sweep.data))
     changed = {key for one in (sweep.common, *(point.values for point in sweep.points)) for key in one}
     yield from _of_seeds(sweep, there, changed, seed_keys_given)
+    last = max((_end(sweep, own, point) for point in sweep.points), default=math.inf)
     observers = sorted({key.split(".")[1] for key in {*there, *changed} if key.startswith("observers.")})
     for number, quantity in enumerate(sweep.quantities, start=1):
         if quantity.observer not in observers:
             yield (f"quantity[{number}].series: {sweep.case} has no observer '{quantity.observer}'"
                    + nearest(quantity.observer, observers))
+        if quantity.start >= last:
+            yield f"quantity[{number}].from: {quantity.start:g} s, but no run goes on beyond 'time.end' = {last:g} s"
     yield from _twice("quantity", [quantity.name for quantity in sweep.quantities], "give one of them another name")
     yield from _twice("point", [point.label for point in sweep.points],
                       "its runs would share a folder; leave one of them out, or name it in a [point.NAME]")
+
+
+def _end(sweep, own, point):
+    """time.end of a point, s; infinity where mesogen has yet to tell what is wrong with it."""
+    time = sweep.data.get("time")
+    in_case = time.get("end") if isinstance(time, dict) else None
+    end = {"time.end": in_case, **own, **point.values}["time.end"]
+    return end if isinstance(end, (int, float)) else math.inf
 
 
 def _of_seeds(sweep, there, changed, given):

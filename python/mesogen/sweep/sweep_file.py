@@ -123,7 +123,7 @@ def read_sweep(path, extra=None, seeds=None, threads=None, parallel=None):
     sweep = Sweep(file, title, case, read_toml(case, "sweep's case"), seeds, tuple(seed_keys), threads or its_threads,
                   parallel or its_parallel, timeout, {**common, **(extra or {})}, tuple(points) or (Point("", {}),),
                   quantities)
-    problems = [f"{file}: {problem}" for problem in conflicts(sweep, "seed_keys" in table)]
+    problems = [f"{file}: {problem}" for problem in conflicts(sweep, "seed_keys" in table, common)]
     if problems:
         raise StudyError(problems)
     return sweep
