@@ -19,6 +19,7 @@ def write(section):
     rows, largest, at_defects, shares = [], {}, [], {}
     for place, zeta in zip(axes, (0.023, -0.023)):
         some = runs.where(physics__activity__activity=zeta)
+        some.first()
         most, share = [], []
         for number, one in enumerate(some.runs):
             with one.open() as run:
