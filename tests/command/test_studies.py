@@ -34,8 +34,9 @@ class Studies(CommandTest):
 
     def test_sections_of_the_paper_can_be_read(self):
         for mode in ("--quick", "--full", None):
-            _, err = self.mesogen("study", PAPER, "--write-only", "--output", "out", *([mode] if mode else []))
+            _, err = self.mesogen("study", PAPER, "--write-only", "--output", "out", *([mode] if mode else []), code=1)
             self.assertIn("was not run", err)
+            self.assertNotRegex(err, "left out: .*[a-z]Error")
 
 
 if __name__ == "__main__":
