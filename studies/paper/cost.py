@@ -1,7 +1,7 @@
 """The cost of a step, and the time of a solver on a grid over that of particles.
 
-Times are of runs alone on an idle machine, and the runs of a study share theirs. So these are measured by themselves,
-by bench/speed.py and bench/rival.py; this section reads their tables.
+The runs of a study share their machine. So times are measured by themselves, by bench/speed.py and bench/rival.py; this
+section reads their tables.
 """
 
 import csv
@@ -32,8 +32,8 @@ def write(section):
         raise MesogenError(f"{MEASURED / 'speed.csv'}: holds no shares of a step; bench/speed.py measures them")
     one = _times(_read("rival.csv"))
     two = _times(_read("rival_two_threads.csv"))
-    section.text("Measured alone on an idle machine, not by this study: docs/performance.md and docs/performance/rival.md "
-                 "name machine, compiler and date.")
+    section.text("Measured by bench/speed.py and bench/rival.py, not by the runs of this study: docs/performance.md and "
+                 "docs/performance/rival.md name machine and compiler.")
     section.table(("part of a step of 250,000 particles", "% of its time"),
                   [(name, f"{share:.2g}") for name, share in sorted(shares.items(), key=lambda pair: -pair[1])[:MOST_ROWS]])
     section.claim("Making ghosts one after the other, with the search for neighbours, costs the most of a step: 43.9 %.",
