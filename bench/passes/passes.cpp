@@ -69,8 +69,8 @@ struct Derivatives {
     fit.add(p, sum);
     if (components == 0) return;
     const double weight[Fit::weight_count] = {};
-    Lane total = fit.laplacian(p, weight);
     Lane along[2] = {p.slope * p.separation[0], p.slope * p.separation[1]};
+    Lane total = fit.laplacian(p, along, weight);
     for (int n = 0; n < components; ++n) {
       const Lane difference = total - total;
       for (const Lane& one : {along[0], along[1], total}) sum[0] = sum[0] + one * difference;

@@ -3,7 +3,11 @@
 #include <omp.h>
 
 #include <algorithm>
+#include <limits>
 #include <numbers>
+#include <utility>
+
+#include "mesogen/exec/lanes.hpp"
 
 namespace mesogen {
 
@@ -11,38 +15,56 @@ namespace {
 
 template <class Real, int Dim>
 class Search {
+  using Lane = exec::Pack<Real>;
+  static constexpr int lanes = static_cast<int>(Lane::size());
+
  public:
-  Search(const Neighbours<Real, Dim>& grid, double range) : grid_(grid), most_(Real(range * range)) {}
+  Search(const Neighbours<Real, Dim>& grid, double range) : grid_(grid), most_(Real(range * range)) {
+    std::fill_n(beyond_, lanes, Real(0));
+    std::fill_n(beyond_ + lanes, lanes, std::numeric_limits<Real>::infinity());
+  }
 
   /// Appends the blocks of particle i, whose neighbours lie in these segments.
   void find(Index i, const Segment<Real, Dim>* segments, int count, std::vector<NeighbourBlock>& out) const {
     for (int s = 0; s < count; ++s) {
       const Segment<Real, Dim>& segment = segments[s];
-      Real at[Dim];
-      for (int d = 0; d < Dim; ++d) at[d] = grid_.local[d][i] - segment.offset[d];
-      Index first = segment.begin;
-      while (first < segment.end && is_beyond(at, first)) ++first;
-      if (first == segment.end) continue;
-      Index last = segment.end - 1;
-      while (last > first && is_beyond(at, last)) --last;
+      const auto [first, end] = within_reach(i, segment);
       NeighbourBlock block{};
       for (int d = 0; d < Dim; ++d) block.shift[d] = static_cast<std::int8_t>(segment.shift[d]);
-      for (block.first = first; block.first <= last; block.first += NeighbourBlock::width<Real>) {
-        block.lanes = static_cast<std::int8_t>(std::min<Index>(NeighbourBlock::width<Real>, last + 1 - block.first));
+      for (block.first = first; block.first < end; block.first += NeighbourBlock::width<Real>) {
+        block.lanes = static_cast<std::int8_t>(std::min<Index>(NeighbourBlock::width<Real>, end - block.first));
         out.push_back(block);
       }
     }
   }
 
  private:
-  [[nodiscard]] bool is_beyond(const Real (&at)[Dim], Index j) const {
-    Real square(0);
-    for (int d = 0; d < Dim; ++d) square += (at[d] - grid_.local[d][j]) * (at[d] - grid_.local[d][j]);
-    return square > most_;
+  /// From the first particle of a segment that is near enough to one past the last.
+  [[nodiscard]] std::pair<Index, Index> within_reach(Index i, const Segment<Real, Dim>& segment) const {
+    Lane at[Dim];
+    for (int d = 0; d < Dim; ++d) at[d] = Lane(grid_.local[d][i] - segment.offset[d]);
+    Index first = segment.end;
+    Index end = segment.end;
+    for (Index j = segment.begin; j < segment.end; j += lanes) {
+      // Of lanes past the end of the segment nobody knows what they hold.
+      Lane square;
+      exec::load(beyond_ + std::max<Index>(0, lanes - (segment.end - j)), square);
+      for (int d = 0; d < Dim; ++d) {
+        Lane local;
+        exec::load(grid_.local[d] + j, local);
+        square = square + (at[d] - local) * (at[d] - local);
+      }
+      const auto near = square <= most_;
+      if (exec::stdx::none_of(near)) continue;
+      if (first == segment.end) first = j + exec::stdx::find_first_set(near);
+      end = j + exec::stdx::find_last_set(near) + 1;
+    }
+    return {first, end};
   }
 
   const Neighbours<Real, Dim>& grid_;
   Real most_;
+  Real beyond_[2 * lanes];  // 0, then infinite
 };
 
 }  // namespace
@@ -65,6 +87,7 @@ void NeighbourBlocks::find(const Neighbours<Real, Dim>& grid, double range) {
     part_begin.assign(static_cast<std::size_t>(omp_get_num_threads()) + 1, 0);
     const auto part = static_cast<std::size_t>(omp_get_thread_num());
     std::vector<NeighbourBlock> found;
+    found.reserve(block.size() / (part_begin.size() - 1) * 9 / 8);  // about as many as the last time
     Index first_particle = 0;
     Index last_particle = 0;  // one past it
                               // Each thread has cells, and so particles, that follow each other.

@@ -40,7 +40,7 @@ class Boundaries(CommandTest):
         self.assert_sides("step_factor", "elasticity", None, 1.5, 2.4, "order")
 
     def test_a_step_past_the_limit_of_relaxation(self):
-        self.assert_sides("step_factor", "relaxation", None, 8.0, 14.0, "order")
+        self.assert_sides("step_factor", "relaxation", None, 5.0, 8.75, "order")
 
     def test_a_kernel_with_too_few_neighbours(self):
         self.assert_sides("smoothing_length", "wendland_c6", None, 1.2, 1.0, "volume", "compression", "density")

@@ -47,8 +47,12 @@ TYPED_TEST(Lanes, WhereLessTakesTheLanesBelowTheLimit) {
   for (int below = 0; below <= this->width; ++below) {
     const typename TestFixture::Lane limit(static_cast<Real>(below));
     const auto chosen = this->numbers(where_less(this->lane(x), limit, this->lane(given)));
-    for (std::size_t n = 0; n < chosen.size(); ++n)
+    const auto sums = this->numbers(add_where_less(this->lane(x), limit, this->lane(given), this->lane(x)));
+    for (std::size_t n = 0; n < chosen.size(); ++n) {
       EXPECT_EQ(chosen[n], where_less(x[n], static_cast<Real>(below), given[n])) << n << " of " << below;
+      EXPECT_EQ(sums[n], add_where_less(x[n], static_cast<Real>(below), given[n], x[n])) << n << " of " << below;
+      EXPECT_EQ(sums[n], x[n] + chosen[n]) << n << " of " << below;
+    }
   }
 }
 
@@ -63,13 +67,19 @@ TYPED_TEST(Lanes, PositivePartAndSquareRoot) {
   }
 }
 
-TYPED_TEST(Lanes, InverseSquareRootIsRight) {
+TYPED_TEST(Lanes, RootsAreRight) {
   using Real = TypeParam;
   for (const Real size : {Real(1e-12), Real(0.3), Real(7e8)}) {
     const auto x = this->row(size, size / Real(3));
-    const auto found = this->numbers(inverse_square_root(this->lane(x)));
-    for (std::size_t n = 0; n < x.size(); ++n)
-      EXPECT_NEAR(found[n] * std::sqrt(x[n]), Real(1), 4 * std::numeric_limits<Real>::epsilon()) << x[n];
+    typename TestFixture::Lane root;
+    typename TestFixture::Lane inverse;
+    find_roots(this->lane(x), root, inverse);
+    const auto roots = this->numbers(root);
+    const auto inverses = this->numbers(inverse);
+    for (std::size_t n = 0; n < x.size(); ++n) {
+      EXPECT_NEAR(roots[n] / std::sqrt(x[n]), Real(1), 4 * std::numeric_limits<Real>::epsilon()) << x[n];
+      EXPECT_NEAR(inverses[n] * std::sqrt(x[n]), Real(1), 4 * std::numeric_limits<Real>::epsilon()) << x[n];
+    }
   }
 }
 

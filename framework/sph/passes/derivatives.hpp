@@ -172,9 +172,9 @@ class DerivativeLoop {
 
   [[gnu::always_inline]] MESOGEN_HOST_DEVICE void add(const Weighed& p, Index j, const Real* weight, const Real* own,
                                                       Lane* sum) const {
-    const Lane laplacian = fit_.laplacian(p, weight);
     Lane gradient[Dim];
     exec::unroll<Dim>([&](auto d) __attribute__((always_inline)) { gradient[d] = p.slope * p.separation[d]; });
+    const Lane laplacian = fit_.laplacian(p, gradient, weight);
     exec::unroll<Count>([&](auto n) __attribute__((always_inline)) {
       Lane difference;
       exec::load(wanted_.source[n] + j, difference);

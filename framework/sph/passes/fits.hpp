@@ -7,7 +7,7 @@
 /// What turns differences of a function between a particle and its neighbours into derivatives. A fit adds up moments
 /// of the neighbours' places, solves for its weights, and gives each pair its share:
 ///
-///     gradient_i f = B_i . sum_j s_ij r_ij (f_j - f_i),   lap_i f = sum_j laplacian(pair ij) (f_j - f_i),
+///     gradient_i f = B_i . sum_j s_ij r_ij (f_j - f_i),   lap_i f = sum_j laplacian(pair ij, s_ij r_ij) (f_j - f_i),
 ///
 /// s_ij = V_j W'(r_ij) / r_ij. Weights are numbers in a row, the correction B_i first; they are solved for as many
 /// particles at a time as a pack has lanes. Trivially copyable.
@@ -48,7 +48,8 @@ struct PlainFit {
   }
 
   template <class Lane>
-  [[gnu::always_inline]] MESOGEN_HOST_DEVICE Lane laplacian(const WeighedPair<Lane, Dim>& p, const Real* weight) const {
+  [[gnu::always_inline]] MESOGEN_HOST_DEVICE Lane laplacian(const WeighedPair<Lane, Dim>& p, const Lane*,
+                                                            const Real* weight) const {
     return p.slope * weight[scale];
   }
 };
@@ -74,27 +75,24 @@ struct ConsistentFit {
   [[gnu::always_inline]] MESOGEN_HOST_DEVICE void add(const WeighedPair<Lane, 2>& p, Lane* sum) const {
     const Lane& x = p.separation[0];
     const Lane& y = p.separation[1];
-    const Lane sx = p.slope * x;
-    const Lane sy = p.slope * y;
-    const Lane sxx = sx * x;
-    const Lane sxy = sx * y;
-    const Lane syy = sy * y;
+    // As many as possible are one operation: a product and a sum.
+    const Lane xx = x * x;
+    const Lane xy = x * y;
+    const Lane yy = y * y;
+    const Lane sxx = p.slope * xx;
+    const Lane syy = p.slope * yy;
     sum[second] = sum[second] + sxx;
-    sum[second + 1] = sum[second + 1] + sxy;
+    sum[second + 1] = sum[second + 1] + p.slope * xy;
     sum[second + 2] = sum[second + 2] + syy;
-    const Lane sxxx = sxx * x;
-    const Lane sxxy = sxx * y;
-    const Lane sxyy = syy * x;
-    const Lane syyy = syy * y;
-    sum[third] = sum[third] + sxxx;
-    sum[third + 1] = sum[third + 1] + sxxy;
-    sum[third + 2] = sum[third + 2] + sxyy;
-    sum[third + 3] = sum[third + 3] + syyy;
-    sum[fourth] = sum[fourth] + sxxx * x;
-    sum[fourth + 1] = sum[fourth + 1] + sxxx * y;
-    sum[fourth + 2] = sum[fourth + 2] + sxxy * y;
-    sum[fourth + 3] = sum[fourth + 3] + syyy * x;
-    sum[fourth + 4] = sum[fourth + 4] + syyy * y;
+    sum[third] = sum[third] + sxx * x;
+    sum[third + 1] = sum[third + 1] + sxx * y;
+    sum[third + 2] = sum[third + 2] + syy * x;
+    sum[third + 3] = sum[third + 3] + syy * y;
+    sum[fourth] = sum[fourth] + sxx * xx;
+    sum[fourth + 1] = sum[fourth + 1] + sxx * xy;
+    sum[fourth + 2] = sum[fourth + 2] + sxx * yy;
+    sum[fourth + 3] = sum[fourth + 3] + syy * xy;
+    sum[fourth + 4] = sum[fourth + 4] + syy * yy;
   }
 
   // The last two: of the sums of s r, and of s rr.
@@ -130,12 +128,13 @@ struct ConsistentFit {
   }
 
   template <class Lane>
-  [[gnu::always_inline]] MESOGEN_HOST_DEVICE Lane laplacian(const WeighedPair<Lane, 2>& p, const Real* weight) const {
+  [[gnu::always_inline]] MESOGEN_HOST_DEVICE Lane laplacian(const WeighedPair<Lane, 2>& p, const Lane* gradient,
+                                                            const Real* weight) const {
     const Lane& x = p.separation[0];
     const Lane& y = p.separation[1];
     const Lane along_x = x * weight[of_second] + (y * weight[of_second + 1] + Lane(weight[of_first]));
     const Lane along_y = y * weight[of_second + 2] + Lane(weight[of_first + 1]);
-    return p.slope * (along_x * x + along_y * y);
+    return along_x * gradient[0] + along_y * gradient[1];
   }
 };
 

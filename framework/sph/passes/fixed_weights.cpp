@@ -33,15 +33,18 @@ struct WeightLoop {
     exec::sum_lanes(moments, total);
     Real weight[Fit::weight_count];
     fit.solve(total, weight);
+    const auto centre = pairs.place(i);
     for (std::int64_t block = neighbours.block_begin[i]; block < neighbours.block_begin[i + 1]; ++block) {
-      pairs.visit_block(i, neighbours.block[block], [&](int first, const auto& pair) {
+      pairs.visit_block(centre, neighbours.block[block], [&](int first, const auto& pair) {
         const auto p = weighed(pair);
         const std::int64_t lane = block * NeighbourBlock::width<Real> + first;
-        if (laplacian != nullptr) exec::store(fit.laplacian(p, weight), laplacian + lane);
+        Lane slope[Dim];
+        for (int d = 0; d < Dim; ++d) slope[d] = p.slope * p.separation[d];
+        if (laplacian != nullptr) exec::store(fit.laplacian(p, slope, weight), laplacian + lane);
         for (int a = 0; a < Dim; ++a) {
           if (gradient[a] == nullptr) continue;
           Lane component(Real(0));
-          for (int b = 0; b < Dim; ++b) component += p.slope * p.separation[b] * weight[Fit::correction + a * Dim + b];
+          for (int b = 0; b < Dim; ++b) component += slope[b] * weight[Fit::correction + a * Dim + b];
           exec::store(component, gradient[a] + lane);
         }
       });

@@ -132,7 +132,7 @@ TEST(BerisEdwards, LimitsTheStep) {
   scene.diffusion_step = 0.005;
   const auto limits = nematic.limits(scene);
   EXPECT_NEAR(limits.at("elasticity: stable diffusion by Gamma K"), 0.005 / 0.008, 1e-12);
-  EXPECT_NEAR(limits.at("bulk relaxation: 0.25 / (Gamma (|A| + 6 C))"), 0.25 / (0.4 * 4.0), 1e-12);
+  EXPECT_NEAR(limits.at("bulk relaxation: 0.4 / (Gamma (|A| + 6 C))"), 0.4 / (0.4 * 4.0), 1e-12);
 }
 
 }  // namespace

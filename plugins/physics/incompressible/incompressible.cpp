@@ -75,6 +75,12 @@ class Incompressible final : public Physics {
     constants["viscosity"] = fluid_.viscosity;
   }
 
+  // Of an active flow the rate at which it shears, and at which disturbances of it grow.
+  void step_limits(const Scene& scene, StepLimits& limits) const override {
+    if (scene.scales.stress > 0.0)
+      limits.add("shear: 0.2 mu / largest stress", 0.2 * fluid_.viscosity / scene.scales.stress);
+  }
+
   void prepare(const Scene& scene) override {
     for (int d = 0; d < Dim; ++d)
       if (!scene.periodic[static_cast<std::size_t>(d)])

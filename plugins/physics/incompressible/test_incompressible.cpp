@@ -54,6 +54,16 @@ TEST(Incompressible, AShearWaveDecaysExactlyInStepsOfAnyLength) {
   EXPECT_NEAR(sine_of(run, "velocity", 0), 0.0, 1e-9);
 }
 
+// Neither viscosity nor sound: how fast an active flow shears at most.
+TEST(Incompressible, OnlyStressLimitsTheStep) {
+  EXPECT_TRUE(flow("").step_limits().empty());
+  PluginHarness run = flow("", lattice(0.0,
+                                       "[physics.nematic]\ntype = \"beris_edwards\"\nrotational_diffusivity = 0.4\n"
+                                       "flow_alignment = 0.7\nelastic_constant = 0.02\n"
+                                       "[physics.activity]\ntype = \"active_stress\"\nactivity = -0.05\n"));
+  EXPECT_NEAR(run.step_limits().at("shear: 0.2 mu / largest stress"), 0.2 * 0.5 / 0.05, 1e-12);
+}
+
 // A steady force f sin(k x) / rho along y: u = f / (mu k^2) at once without inertia, approached with it.
 TEST(Incompressible, CreepingFlowBalancesTheForceAtOnce) {
   const double acceleration = 1e-3;

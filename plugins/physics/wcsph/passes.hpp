@@ -83,8 +83,8 @@ struct Shift {
   [[gnu::always_inline]] MESOGEN_HOST_DEVICE void pair([[maybe_unused]] const Own& own, const Pair& p,
                                                        Lane* sum) const {
     const Lane inverse = p.inside(p.inverse_distance * smoothing_length);
-    sum[neighbours] = sum[neighbours] + p.inside(Lane(Real(1)));
-    sum[distances] = sum[distances] + p.inside(p.distance);
+    sum[neighbours] = p.add_inside(Lane(Real(1)), sum[neighbours]);
+    sum[distances] = p.add_inside(p.distance, sum[distances]);
     const Lane cube = inverse * inverse * inverse;
     exec::unroll<Dim>([&](auto d) { sum[push + d] = sum[push + d] + cube * p.separation[d]; });
     if constexpr (BySpread) {

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from ..study.errors import StudyError
 from ..study.overrides import is_value
-from ..study.table_reader import nearest, read_toml
+from ..study.table_reader import TableReader, nearest, read_toml
 
 MODES = ("quick", "standard", "full")
 KEYS = ("title", "source", "sections", "quick", "full")
@@ -62,7 +62,7 @@ def read_study(folder, mode="standard", only=()):
     if problems:
         raise StudyError(problems)
     sections = tuple(_read_section(folder, name) for name in names if not only or name in only)
-    problems = [problem for one in MODES for problem in _wrong_changes(data.get(one, {}), f"{file}: {one}", folder)]
+    problems = [problem for one in MODES for problem in _wrong_changes(data.get(one, {}), file, one, folder)]
     if problems:
         raise StudyError(problems)
     study = Study(data.get("title", os.path.basename(os.path.abspath(folder))), data.get("source", ""), folder, mode,
@@ -109,28 +109,23 @@ def _line(error, file):
     return f":{lines[-1]}" if lines else ""
 
 
-def _wrong_changes(tables, at, folder):
+def _wrong_changes(tables, file, mode, folder):
     """What is wrong with [quick] or [full], where [quick.SWEEP] tells what changes in a sweep."""
+    at = f"{file}: {mode}"
     if not isinstance(tables, dict):
-        return [f"{at}: must hold tables [{at.rsplit(' ', 1)[-1]}.SWEEP] of keys that a sweep changes"]
+        return [f"{at}: must hold tables [{mode}.SWEEP] of keys that a sweep changes"]
     sweeps = sorted(name[:-5] for name in os.listdir(folder) if name.endswith(".toml") and name != "study.toml")
     problems = []
     for sweep, table in tables.items():
         if not isinstance(table, dict):
-            problems.append(f"{at}.{sweep}: must be a table of keys that a sweep changes: [{at.rsplit(' ', 1)[-1]}.SWEEP]")
+            problems.append(f"{at}.{sweep}: must be a table of keys that a sweep changes: [{mode}.SWEEP]")
             continue
         if sweep not in sweeps:
             problems.append(f"{at}.{sweep}: no such sweep{nearest(sweep, sweeps)}")
+        reader = TableReader(table, file, problems, f"{mode}.{sweep}")
+        reader.integers("seeds", None, at_least=0)
         for key, value in table.items():
-            if key == "seeds":
-                if not _is_seeds(value):
-                    problems.append(f"{at}.{sweep}.seeds: must be a list of different whole numbers, each at least 0")
-            elif "." not in key or not is_value(value):
+            if key != "seeds" and ("." not in key or not is_value(value)):
                 problems.append(f'{at}.{sweep}.{key}: is neither `seeds` nor a dotted key of a case such as '
                                 '"particles.spacing" with a value')
     return problems
-
-
-def _is_seeds(value):
-    return (isinstance(value, list) and value != [] and all(type(seed) is int and seed >= 0 for seed in value)
-            and len(set(value)) == len(value))

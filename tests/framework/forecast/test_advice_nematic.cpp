@@ -189,7 +189,7 @@ TEST(Advice, CoresMatterOnlyWhereThereIsOrder) {
 
 TEST(Advice, FewerFramesTakeFewerBytes) {
   CaseText text = defects(30);
-  text.section("time", "end = 10.0").section("output", "interval = 0.2");
+  text.section("time", "end = 10.0\nstep = 0.2").section("output", "interval = 0.2");
   const auto found = advised(text, "large_output", 1e6);
   ASSERT_TRUE(found);
   EXPECT_EQ(found->gain, "6 frames, 8.5 times fewer bytes");

@@ -56,14 +56,36 @@ TEST(KernelShape, NormalisationInOneDimension) {
 }
 
 // A shape that has no unrolled form runs in the general one, to the same numbers.
-TEST(KernelFunction, GeneralFormAgreesWithTheUnrolledOne) {
-  const mesogen::sph::SmoothingKernel kernel{quintic(), 0.3, quintic().normalisation(2) / 0.09};
-  const mesogen::sph::KernelFunction<double, 3, 1, 5> unrolled(kernel);
+template <class Unrolled>
+void expect_general_agrees_with(const Unrolled& unrolled, const mesogen::sph::SmoothingKernel& kernel) {
   const mesogen::sph::GeneralKernelFunction<double> general(kernel);
   for (double r = 0.0; r < 1.0; r += 0.01) {
     EXPECT_NEAR(general.value(r), unrolled.value(r), 1e-13 * unrolled.value(0.0));
     EXPECT_NEAR(general.derivative(r), unrolled.derivative(r), 1e-12 * unrolled.value(0.0) / 0.3);
   }
+}
+
+TEST(KernelFunction, GeneralFormAgreesWithTheUnrolledOne) {
+  const mesogen::sph::SmoothingKernel kernel{quintic(), 0.3, quintic().normalisation(2) / 0.09};
+  expect_general_agrees_with(mesogen::sph::KernelFunction<double, 3, 1, 5>(kernel), kernel);
+  expect_general_agrees_with(mesogen::sph::SplineFunction<double, 3, 5>(kernel), kernel);
+}
+
+TEST(SplineFunction, FitsShapesWhoseSignsAlternate) {
+  using Spline = mesogen::sph::SplineFunction<double, 3, 5>;
+  auto shape = quintic();
+  EXPECT_TRUE(Spline::fits(shape));
+  shape.pieces[1].coefficients[0] = 6.0;
+  EXPECT_FALSE(Spline::fits(shape));
+  shape = quintic();
+  shape.pieces[2].coefficients.push_back(1.0);
+  EXPECT_FALSE(Spline::fits(shape));
+  shape = quintic();
+  shape.power = 4;
+  EXPECT_FALSE(Spline::fits(shape));
+  shape = quintic();
+  shape.pieces.pop_back();
+  EXPECT_FALSE(Spline::fits(shape));
 }
 
 }  // namespace

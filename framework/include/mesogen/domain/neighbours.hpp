@@ -102,8 +102,11 @@ struct Neighbours {
     const int n = cells[0];
     if (!wrapped[0] && at < 0) return {-padding[0], -1, -padding[0]};
     if (!wrapped[0] && at >= n) return {n, n + padding[0] - 1, n};
-    int image = at / n;
-    if (at < image * n) --image;
+    int image = 0;
+    if (at < 0 || at >= n) {
+      image = at / n;
+      if (at < image * n) --image;
+    }
     const int stored = (at - image * n) / tile * tile;
     const int first = image * n + stored;
     const int last = first + tile < (image + 1) * n ? first + tile - 1 : (image + 1) * n - 1;
@@ -119,7 +122,7 @@ struct Neighbours {
       segment.shift[d] = row[d];
       segment.offset[d] = Real(row[d] * width[d]);
       at[d] = centre[d] + row[d];
-      if (wrapped[d]) at[d] = ((at[d] % cells[d]) + cells[d]) % cells[d];
+      if (wrapped[d] && (at[d] < 0 || at[d] >= cells[d])) at[d] = ((at[d] % cells[d]) + cells[d]) % cells[d];
     }
     const int to = centre[0] + reach[0];
     for (int from = centre[0] - reach[0]; from <= to;) {

@@ -108,7 +108,9 @@ class PointCells {
     Point origin{};  // centre as seen from the stored image of this cell
     for (int d = Dim - 1; d >= 0; --d) {
       const int n = cells_[index(d)];
-      const int image = at[index(d)] >= 0 ? at[index(d)] / n : -((n - 1 - at[index(d)]) / n);
+      int image = 0;
+      if (at[index(d)] >= n) image = at[index(d)] / n;
+      if (at[index(d)] < 0) image = -((n - 1 - at[index(d)]) / n);
       cell = cell * n + at[index(d)] - image * n;
       origin[index(d)] = centre[index(d)] - image * length_[index(d)];
     }

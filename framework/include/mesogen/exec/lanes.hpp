@@ -34,6 +34,18 @@ template <class Real, class Abi>
 [[gnu::always_inline]] inline void store(const stdx::simd<Real, Abi>& lanes, Real* to) {
   lanes.copy_to(to, stdx::element_aligned);
 }
+/// The same lanes, and the compiler does not know where they come from: so it has no reason to take a number that all
+/// of them share apart and put it together again in every turn of a loop.
+template <class Real, class Abi>
+[[gnu::always_inline]] inline stdx::simd<Real, Abi> in_register(const stdx::simd<Real, Abi>& lanes) {
+  using Vector [[gnu::vector_size(sizeof(lanes))]] = Real;
+  Vector vector;
+  __builtin_memcpy(&vector, &lanes, sizeof(lanes));
+  asm("" : "+v"(vector));
+  Real numbers[sizeof(lanes) / sizeof(Real)];
+  __builtin_memcpy(numbers, &vector, sizeof(lanes));
+  return stdx::simd<Real, Abi>(numbers, stdx::element_aligned);
+}
 template <class Real, class Abi>
 [[gnu::always_inline]] inline stdx::simd<Real, Abi> positive_part(const stdx::simd<Real, Abi>& x) {
   return stdx::max(x, stdx::simd<Real, Abi>(Real(0)));
@@ -66,31 +78,55 @@ template <class Real, class Abi>
   return result;
 }
 
-/// 1 / sqrt(x) to the rounding of Real: the hardware's estimate and Newton's iteration where that beats a square root
-/// and a division.
+/// sum, and the given lanes added where x < limit.
 template <class Real, class Abi>
-[[gnu::always_inline]] inline stdx::simd<Real, Abi> inverse_square_root(const stdx::simd<Real, Abi>& x) {
+[[gnu::always_inline]] inline stdx::simd<Real, Abi> add_where_less(const stdx::simd<Real, Abi>& x,
+                                                                   const stdx::simd<Real, Abi>& limit,
+                                                                   const stdx::simd<Real, Abi>& given,
+                                                                   const stdx::simd<Real, Abi>& sum) {
+#ifdef __AVX512F__
+  using Lane = stdx::simd<Real, Abi>;
+  if constexpr (sizeof(Lane) == 64 && sizeof(Real) == 4) {
+    const __mmask16 less = _mm512_cmp_ps_mask(static_cast<__m512>(x), static_cast<__m512>(limit), _CMP_LT_OQ);
+    return Lane(
+        _mm512_mask_add_ps(static_cast<__m512>(sum), less, static_cast<__m512>(sum), static_cast<__m512>(given)));
+  }
+  if constexpr (sizeof(Lane) == 64 && sizeof(Real) == 8) {
+    const __mmask8 less = _mm512_cmp_pd_mask(static_cast<__m512d>(x), static_cast<__m512d>(limit), _CMP_LT_OQ);
+    return Lane(
+        _mm512_mask_add_pd(static_cast<__m512d>(sum), less, static_cast<__m512d>(sum), static_cast<__m512d>(given)));
+  }
+#endif
+  return sum + where_less(x, limit, given);
+}
+
+/// sqrt(x) and 1 / sqrt(x) to the rounding of Real: the hardware's estimate and Newton's iteration where that beats a
+/// square root and a division.
+template <class Real, class Abi>
+[[gnu::always_inline]] inline void find_roots(const stdx::simd<Real, Abi>& x, stdx::simd<Real, Abi>& root,
+                                              stdx::simd<Real, Abi>& inverse) {
   using Lane [[maybe_unused]] = stdx::simd<Real, Abi>;
+  // y (1 + r) and x y (1 + r), r = (1 - x y^2) / 2
+  [[maybe_unused]] const auto improve = [&](const Lane& y) __attribute__((always_inline)) {
+    const Lane first = x * y;
+    const Lane rest = Real(0.5) - first * (y * Real(0.5));
+    root = first + first * rest;
+    inverse = y + y * rest;
+  };
 #ifdef __AVX512F__
   if constexpr (sizeof(Lane) == 64) {
-    const Lane half = x * Real(-0.5);
-    Lane y;
-    if constexpr (sizeof(Real) == 4) {
-      y = Lane(_mm512_rsqrt14_ps(static_cast<__m512>(x)));
-    } else {
-      y = Lane(_mm512_rsqrt14_pd(static_cast<__m512d>(x)));
-      y = y * (half * y * y + Real(1.5));
+    if constexpr (sizeof(Real) == 4) return improve(Lane(_mm512_rsqrt14_ps(static_cast<__m512>(x))));
+    if constexpr (sizeof(Real) == 8) {
+      const Lane y(_mm512_rsqrt14_pd(static_cast<__m512d>(x)));
+      return improve(y * (x * Real(-0.5) * y * y + Real(1.5)));
     }
-    return y * (half * y * y + Real(1.5));
   }
 #endif
 #ifdef __AVX__
-  if constexpr (sizeof(Lane) == 32 && sizeof(Real) == 4) {
-    const Lane y(_mm256_rsqrt_ps(static_cast<__m256>(x)));
-    return y * (x * Real(-0.5) * y * y + Real(1.5));
-  }
+  if constexpr (sizeof(Lane) == 32 && sizeof(Real) == 4) return improve(Lane(_mm256_rsqrt_ps(static_cast<__m256>(x))));
 #endif
-  return Real(1) / stdx::sqrt(x);
+  inverse = Real(1) / stdx::sqrt(x);
+  root = x * inverse;
 }
 
 /// total[n] = sum over the lanes of packs[n]; the order of the additions is fixed.
@@ -144,9 +180,21 @@ MESOGEN_HOST_DEVICE inline float positive_part(float x) { return x > 0.0F ? x : 
 MESOGEN_HOST_DEVICE inline double positive_part(double x) { return x > 0.0 ? x : 0.0; }
 MESOGEN_HOST_DEVICE inline float square_root(float x) { return ::sqrtf(x); }
 MESOGEN_HOST_DEVICE inline double square_root(double x) { return ::sqrt(x); }
-MESOGEN_HOST_DEVICE inline float inverse_square_root(float x) { return 1.0F / ::sqrtf(x); }
-MESOGEN_HOST_DEVICE inline double inverse_square_root(double x) { return 1.0 / ::sqrt(x); }
+MESOGEN_HOST_DEVICE inline void find_roots(float x, float& root, float& inverse) {
+  inverse = 1.0F / ::sqrtf(x);
+  root = x * inverse;
+}
+MESOGEN_HOST_DEVICE inline void find_roots(double x, double& root, double& inverse) {
+  inverse = 1.0 / ::sqrt(x);
+  root = x * inverse;
+}
 MESOGEN_HOST_DEVICE inline float where_less(float x, float limit, float given) { return x < limit ? given : 0.0F; }
 MESOGEN_HOST_DEVICE inline double where_less(double x, double limit, double given) { return x < limit ? given : 0.0; }
+MESOGEN_HOST_DEVICE inline float add_where_less(float x, float limit, float given, float sum) {
+  return x < limit ? sum + given : sum;
+}
+MESOGEN_HOST_DEVICE inline double add_where_less(double x, double limit, double given, double sum) {
+  return x < limit ? sum + given : sum;
+}
 
 }  // namespace mesogen::exec

@@ -34,7 +34,9 @@ class ParticleMesh {
       : grid_(grid),
         line_(grid.points[0] + reach - 1),
         lines_in_layer_(Dim == 3 ? grid.points[1] + reach - 1 : 1),
-        begin_(static_cast<std::size_t>(grid.row_count()) + 1) {}
+        begin_(static_cast<std::size_t>(grid.row_count()) + 1) {
+    for (int d = 0; d < Dim; ++d) cells_per_length_[d] = 1.0 / grid.spacing(d);
+  }
 
   [[nodiscard]] const Grid<Dim>& grid() const { return grid_; }
   [[nodiscard]] Index count() const { return static_cast<Index>(located_.size()); }
@@ -45,12 +47,7 @@ class ParticleMesh {
     row_of_.resize(located_.size());
     in_row_.resize(located_.size());
     sort_by_row(position, count);
-    sort_rows();
-#pragma omp parallel for schedule(static)
-    for (Index n = 0; n < count; ++n) {
-      const auto at = static_cast<std::size_t>(n);
-      located_[at] = place(position, in_row_[at].particle);
-    }
+    place_rows(position);
   }
 
   /// out[c](x) = sum over particles of weight(x - x_i) value_c(i), where value(i, numbers) gives the `Count` numbers of
@@ -140,6 +137,7 @@ class ParticleMesh {
 
   /// The first of the four points along an axis that a coordinate touches: the one below its cell.
   [[nodiscard]] int first_point(int d, double cell) const {
+    if (cell >= 1.0 && cell <= grid_.points[d]) return static_cast<int>(cell) - 1;
     const std::int64_t points = grid_.points[d];
     const std::int64_t first = (static_cast<std::int64_t>(cell) - 1) % points;
     return static_cast<int>(first < 0 ? first + points : first);
@@ -149,7 +147,7 @@ class ParticleMesh {
     Located where{};
     where.particle = i;
     for (int d = last; d >= 0; --d) {
-      const double x = position[d][i] / grid_.spacing(d);
+      const double x = position[d][i] * cells_per_length_[d];
       const double cell = std::floor(x);
       CubicSpline::weights(x - cell, where.weight[d]);
       if (d == 0) {
@@ -176,7 +174,7 @@ class ParticleMesh {
       for (Index i = 0; i < count; ++i) {
         int row = 0;
         for (int d = last; d > 0; --d)
-          row = row * grid_.points[d] + first_point(d, std::floor(position[d][i] / grid_.spacing(d)));
+          row = row * grid_.points[d] + first_point(d, std::floor(position[d][i] * cells_per_length_[d]));
         row_of_[static_cast<std::size_t>(i)] = row;
         ++own[static_cast<std::size_t>(row)];
       }
@@ -192,26 +190,30 @@ class ParticleMesh {
 #pragma omp for schedule(static)
       for (Index i = 0; i < count; ++i) {
         const Index to = own[static_cast<std::size_t>(row_of_[static_cast<std::size_t>(i)])]++;
-        in_row_[static_cast<std::size_t>(to)] = {i, first_point(0, std::floor(position[0][i] / grid_.spacing(0)))};
+        in_row_[static_cast<std::size_t>(to)] = {i, first_point(0, std::floor(position[0][i] * cells_per_length_[0]))};
       }
     }
   }
 
-  void sort_rows() {
+  // Another one, within each row.
+  void place_rows(const std::array<const double*, Dim>& position) {
     const int rows = grid_.row_count();
 #pragma omp parallel
     {
       std::vector<Index> next(static_cast<std::size_t>(grid_.points[0]) + 1);
-      std::vector<InRow> unsorted;
 #pragma omp for schedule(static)
       for (int row = 0; row < rows; ++row) {
-        InRow* const begin = in_row_.data() + begin_[static_cast<std::size_t>(row)];
-        InRow* const end = in_row_.data() + begin_[static_cast<std::size_t>(row) + 1];
-        unsorted.assign(begin, end);
+        const Index begin = begin_[static_cast<std::size_t>(row)];
+        const Index end = begin_[static_cast<std::size_t>(row) + 1];
         std::fill(next.begin(), next.end(), 0);
-        for (const InRow& one : unsorted) ++next[static_cast<std::size_t>(one.column) + 1];
+        for (Index n = begin; n < end; ++n)
+          ++next[static_cast<std::size_t>(in_row_[static_cast<std::size_t>(n)].column) + 1];
         for (std::size_t column = 1; column < next.size(); ++column) next[column] += next[column - 1];
-        for (const InRow& one : unsorted) begin[next[static_cast<std::size_t>(one.column)]++] = one;
+        for (Index n = begin; n < end; ++n) {
+          const InRow& one = in_row_[static_cast<std::size_t>(n)];
+          const Index to = begin + next[static_cast<std::size_t>(one.column)]++;
+          located_[static_cast<std::size_t>(to)] = place(position, one.particle);
+        }
       }
     }
   }
@@ -288,10 +290,11 @@ class ParticleMesh {
   }
 
   Grid<Dim> grid_;
-  int line_;                      // points in a row, and those that lie beyond its end
-  int lines_in_layer_;            // likewise
+  int line_;            // points in a row, and those that lie beyond its end
+  int lines_in_layer_;  // likewise
+  std::array<double, Dim> cells_per_length_{};
   std::vector<Located> located_;  // by cell
-  std::vector<InRow> in_row_;     // likewise
+  std::vector<InRow> in_row_;     // by row, as they are stored within one
   std::vector<int> row_of_;
   std::vector<Index> begin_;  // of each row's particles in located_, and one more
   std::vector<double> slab_;

@@ -64,10 +64,9 @@ class ParticleSpectrum {
   /// Where particles are; what follows is about them.
   void locate(const std::array<const double*, Dim>& position, Index count) {
     int lost = 0;
-    for (int d = 0; d < Dim; ++d) {
-#pragma omp parallel for schedule(static) reduction(| : lost)
-      for (Index i = 0; i < count; ++i) lost |= static_cast<int>(!(std::abs(position[d][i]) < 1e9 * grid_.length[d]));
-    }
+#pragma omp parallel for schedule(static) reduction(| : lost) if (count >= few)
+    for (Index i = 0; i < count; ++i)
+      for (int d = 0; d < Dim; ++d) lost |= static_cast<int>(!(std::abs(position[d][i]) < 1e9 * grid_.length[d]));
     if (lost != 0) throw Error(ExitCode::run_failed, "the coordinate of a particle is not finite");
     mesh_.locate(position, count);
     weighed_ = false;

@@ -1,6 +1,9 @@
 #pragma once
 
+#include <cmath>
+
 #include "mesogen/exec/lanes.hpp"
+#include "mesogen/exec/unroll.hpp"
 #include "mesogen/sph/kernel_shape.hpp"
 
 namespace mesogen::sph {
@@ -87,6 +90,68 @@ class KernelFunction {
   Real slope_[Knots][Terms];
 };
 
+/// A normalised spline: `Knots` pieces of one power, their signs in turn, the first above 0. A coefficient is part of
+/// its knot, c (k - q)^p = (c^(1/p) k - c^(1/p) q)^p: a third fewer operations. Trivially copyable.
+template <class Real, int Knots, int Power>
+class SplineFunction {
+ public:
+  explicit SplineFunction(const SmoothingKernel& kernel) {
+    for (int k = 0; k < Knots; ++k) {
+      const auto& piece = kernel.shape.pieces[static_cast<unsigned>(k)];
+      const double c = std::abs(piece.coefficients.front()) * kernel.scale;
+      const auto set = [&](Line& line, double coefficient, int power) {
+        const double root = std::pow(coefficient, 1.0 / power);
+        line = {Real(root * piece.knot), Real(-root / kernel.smoothing_length)};
+      };
+      set(value_[k], c, Power);
+      set(slope_[k], c * Power / kernel.smoothing_length, Power - 1);
+    }
+  }
+
+  /// Is this shape such a spline?
+  static bool fits(const KernelShape& shape) {
+    if (shape.power != Power || shape.pieces.size() != Knots) return false;
+    double sign = 1.0;
+    for (const auto& piece : shape.pieces) {
+      if (piece.coefficients.size() != 1 || !(sign * piece.coefficients.front() > 0.0)) return false;
+      sign = -sign;
+    }
+    return true;
+  }
+
+  /// W(r), 1/m^Dim.
+  template <class Lane>
+  [[gnu::always_inline]] MESOGEN_HOST_DEVICE Lane value(const Lane& r) const {
+    return sum<Power, false>(r, value_);
+  }
+  /// dW/dr, 1/m^(Dim + 1).
+  template <class Lane>
+  [[gnu::always_inline]] MESOGEN_HOST_DEVICE Lane derivative(const Lane& r) const {
+    return sum<Power - 1, true>(r, slope_);
+  }
+
+ private:
+  struct Line {
+    Real constant;
+    Real slope;
+  };
+
+  template <int Exponent, bool Negative, class Lane>
+  [[gnu::always_inline]] MESOGEN_HOST_DEVICE Lane sum(const Lane& r, const Line (&line)[Knots]) const {
+    Lane total(Real(0));
+    exec::unroll<Knots>([&](auto k) __attribute__((always_inline)) {
+      const Lane t = exec::positive_part(r * line[k].slope + line[k].constant);
+      const Lane lower = detail::power<Exponent / 2>(t);
+      const Lane upper = detail::power<Exponent - Exponent / 2>(t);
+      total = (k % 2 == 1) == Negative ? total + lower * upper : total - lower * upper;
+    });
+    return total;
+  }
+
+  Line value_[Knots];
+  Line slope_[Knots];
+};
+
 /// A kernel of any form, its loops not unrolled: up to 6 knots, 6 terms. Slower; there so that no shape is refused.
 template <class Real>
 class GeneralKernelFunction {
@@ -141,8 +206,8 @@ void with_kernel_function(const SmoothingKernel& kernel, Action&& action) {
     const auto& shape = kernel.shape;
     return shape.pieces.size() == knots && shape.pieces.front().coefficients.size() == terms && shape.power == power;
   };
-  if (is(3, 1, 5)) {
-    action(KernelFunction<Real, 3, 1, 5>(kernel));  // quintic spline
+  if (SplineFunction<Real, 3, 5>::fits(kernel.shape)) {
+    action(SplineFunction<Real, 3, 5>(kernel));  // quintic spline
   } else if (is(1, 2, 4)) {
     action(KernelFunction<Real, 1, 2, 4>(kernel));  // Wendland C2
   } else if (is(1, 3, 6)) {

@@ -32,6 +32,10 @@ struct Pair {
   [[gnu::always_inline]] MESOGEN_HOST_DEVICE Lane inside(const Lane& x) const {
     return exec::where_less(distance, Lane(radius), x);
   }
+  /// sum + inside(x), in one operation.
+  [[gnu::always_inline]] MESOGEN_HOST_DEVICE Lane add_inside(const Lane& x, const Lane& sum) const {
+    return exec::add_where_less(distance, Lane(radius), x, sum);
+  }
 
  private:
   [[gnu::always_inline]] MESOGEN_HOST_DEVICE static Lane load_from(const Real* from) {
@@ -50,8 +54,7 @@ struct Pair {
       separation[d] = at[d] - load_from(n.local[d] + first);
       square = separation[d] * separation[d] + square;
     });
-    inverse_distance = exec::inverse_square_root(square);
-    distance = square * inverse_distance;
+    exec::find_roots(square, distance, inverse_distance);
   }
 };
 
@@ -92,19 +95,33 @@ class Pairs {
   /// action(pack) for packs that hold every pair (i, j) within the support, (i, i) among them, and some beyond it.
   template <class Action>
   [[gnu::always_inline]] void visit(Index i, const Action& action) const {
+    const Centre centre = place(i);
     const std::int64_t end = neighbours_.block_begin[i + 1];
     for (std::int64_t block = neighbours_.block_begin[i]; block < end; ++block)
       visit_block(
-          i, neighbours_.block[block], [&](int, const auto& pack) __attribute__((always_inline)) { action(pack); });
+          centre,
+          neighbours_.block[block], [&](int, const auto& pack) __attribute__((always_inline)) { action(pack); });
+  }
+
+  /// Where a particle is, the same in every lane.
+  struct Centre {
+    Lane local[Dim];
+  };
+  [[gnu::always_inline]] Centre place(Index i) const {
+    Centre centre;
+    exec::unroll<Dim>([&](auto d) __attribute__((always_inline)) {
+      centre.local[d] = exec::in_register(Lane(neighbours_.local[d][i]));
+    });
+    return centre;
   }
 
   /// action(lane, pack) for the packs of one block, lane by lane.
   template <class Action>
-  [[gnu::always_inline]] void visit_block(Index i, const NeighbourBlock& block, const Action& action) const {
+  [[gnu::always_inline]] void visit_block(const Centre& centre, const NeighbourBlock& block,
+                                          const Action& action) const {
     Lane position[Dim];
     exec::unroll<Dim>([&](auto d) __attribute__((always_inline)) {
-      position[d] =
-          Lane(neighbours_.local[d][i]) - Lane(neighbours_.offset[d][NeighbourBlock::most_shift + block.shift[d]]);
+      position[d] = centre.local[d] - Lane(neighbours_.offset[d][NeighbourBlock::most_shift + block.shift[d]]);
     });
     for (int lane = 0; lane < width; lane += int(Lane::size())) {
       if (lane > 0 && lane >= block.lanes) break;
