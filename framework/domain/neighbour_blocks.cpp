@@ -57,7 +57,7 @@ class Search {
       const auto near = square <= most_;
       if (exec::stdx::none_of(near)) continue;
       if (first == segment.end) first = j + exec::stdx::find_first_set(near);
-      end = j + exec::stdx::find_last_set(near) + 1;
+      end = std::min<Index>(segment.end, j + exec::stdx::find_last_set(near) + 1);
     }
     return {first, end};
   }

@@ -6,6 +6,7 @@
 #include "mesogen/exec/blocks.hpp"
 #include "mesogen/exec/for_each.hpp"
 #include "mesogen/exec/subnormals.hpp"
+#include "mesogen/exec/turns.hpp"
 
 namespace mesogen::exec {
 
@@ -112,13 +113,14 @@ Finding find_largest(const Space& space, Findings& findings, Index count, const 
   double* const largest = findings.host(finding);
   for (int n = 0; n < Count; ++n) largest[n] = 0.0;
   const Blocks blocks(count);
+  Turns turns(blocks.number());
 #pragma omp parallel
   {
     [[maybe_unused]] const FlushSubnormals flush;
     Maxima<Count> own{};
-#pragma omp for schedule(static) nowait
-    for (Index block = 0; block < blocks.number(); ++block)
+    turns.take([&](Index block) {
       for (Index i = blocks.begin(block); i < blocks.end(block); ++i) function(i, own);
+    });
 #pragma omp critical(mesogen_find_largest)
     for (int n = 0; n < Count; ++n)
       if (own.value[n] > largest[n]) largest[n] = own.value[n];

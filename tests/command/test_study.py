@@ -159,6 +159,15 @@ class Study(CommandTest):
         self.assertRegex(err, r"warning: section speed is left out: .*no quantity 'v_rsm'")
         self.assertIn("0 claims", self.page())
 
+    def test_a_section_alone_leaves_the_report(self):
+        self.study("--write-only", code=1)
+        report = pathlib.Path(self.path("out", "report"))
+        (report / "index.html").write_text("of all sections", encoding="utf-8")
+        out, _ = self.study("--write-only", "--only", "speed", code=1)
+        self.assertIn("wrote out/report/speed.html", out)
+        self.assertIn("A small study", (report / "speed.html").read_text(encoding="utf-8"))
+        self.assertEqual(self.page(), "of all sections")
+
     def test_refusals(self):
         self.assertIn("error: nowhere: holds no study.toml; give the folder of a study, such as studies/paper",
                       self.mesogen("study", "nowhere", code=2)[1])

@@ -56,6 +56,21 @@ TYPED_TEST(Lanes, WhereLessTakesTheLanesBelowTheLimit) {
   }
 }
 
+// What the search for blocks asks of masks.
+TYPED_TEST(Lanes, FirstAndLastOfAMask) {
+  using Real = TypeParam;
+  const auto x = this->lane(this->row(Real(0), Real(1)));
+  EXPECT_TRUE(stdx::none_of(x < Real(0)));
+  for (int first = 0; first < this->width; ++first) {
+    for (int last = first; last < this->width; ++last) {
+      const auto between = x >= static_cast<Real>(first) && x <= static_cast<Real>(last);
+      EXPECT_FALSE(stdx::none_of(between));
+      EXPECT_EQ(stdx::find_first_set(between), first);
+      EXPECT_EQ(stdx::find_last_set(between), last);
+    }
+  }
+}
+
 TYPED_TEST(Lanes, PositivePartAndSquareRoot) {
   using Real = TypeParam;
   const auto x = this->row(Real(-1.5), Real(0.75));
@@ -77,6 +92,11 @@ TYPED_TEST(Lanes, RootsAreRight) {
     const auto roots = this->numbers(root);
     const auto inverses = this->numbers(inverse);
     for (std::size_t n = 0; n < x.size(); ++n) {
+      Real of_number;
+      Real inverse_of_number;
+      find_roots(x[n], of_number, inverse_of_number);
+      EXPECT_NEAR(of_number / std::sqrt(x[n]), Real(1), 4 * std::numeric_limits<Real>::epsilon()) << x[n];
+      EXPECT_EQ(of_number, x[n] * inverse_of_number);
       EXPECT_NEAR(roots[n] / std::sqrt(x[n]), Real(1), 4 * std::numeric_limits<Real>::epsilon()) << x[n];
       EXPECT_NEAR(inverses[n] * std::sqrt(x[n]), Real(1), 4 * std::numeric_limits<Real>::epsilon()) << x[n];
     }

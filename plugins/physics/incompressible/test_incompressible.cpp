@@ -61,7 +61,9 @@ TEST(Incompressible, OnlyStressLimitsTheStep) {
                                        "[physics.nematic]\ntype = \"beris_edwards\"\nrotational_diffusivity = 0.4\n"
                                        "flow_alignment = 0.7\nelastic_constant = 0.02\n"
                                        "[physics.activity]\ntype = \"active_stress\"\nactivity = -0.05\n"));
-  EXPECT_NEAR(run.step_limits().at("shear: 0.2 mu / largest stress"), 0.2 * 0.5 / 0.05, 1e-12);
+  const auto limits = run.step_limits();
+  EXPECT_NEAR(limits.at("shear: 0.2 mu / largest stress"), 0.2 * 0.5 / 0.05, 1e-12);
+  EXPECT_EQ(limits.at("elasticity: stable diffusion by Gamma K"), std::numeric_limits<double>::infinity());
 }
 
 // A steady force f sin(k x) / rho along y: u = f / (mu k^2) at once without inertia, approached with it.

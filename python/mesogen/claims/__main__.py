@@ -19,13 +19,15 @@ def study_command(options):
     results = report.gather(study, folder, options.mesogen, options.parallel, not options.write_only,
                             lambda total, done: Progress(total, done, options.quiet),
                             lambda line: None if options.quiet else print(line, file=sys.stderr, flush=True), options.retry)
-    sections, problems = report.write(study, results, folder, options.mesogen)
+    # Some sections are a page of their own: the whole report stays.
+    page = "-".join(options.only or ["index"]) + ".html"
+    sections, problems = report.write(study, results, folder, options.mesogen, page)
     for section in sections:
         for claim in section.claims:
             print(f"{claim.verdict:>{max(map(len, VERDICTS))}}  {section.title}: {claim.text} {claim.numbers}")
     for problem in problems:
         print(f"warning: {problem}", file=sys.stderr)
-    print(f"wrote {os.path.join(folder, report.FOLDER, 'index.html')}")
+    print(f"wrote {os.path.join(folder, report.FOLDER, page)}")
     return 1 if problems else 0
 
 
@@ -35,7 +37,7 @@ def main(arguments=None):
     parser = argparse.ArgumentParser(prog="mesogen study", description="Runs a study and reports which claims hold.")
     parser.add_argument("study", metavar="FOLDER", help="folder of a study")
     parser.add_argument("-o", "--output", metavar="DIR", help="folder for runs and report")
-    parser.add_argument("--only", metavar="SECTION", action="append", default=[], help="this section alone")
+    parser.add_argument("--only", metavar="SECTION", action="append", default=[], help="this section alone, as a page of its own")
     parser.add_argument("--parallel", metavar="N", type=_count, help="runs at a time")
     modes = parser.add_mutually_exclusive_group()
     modes.add_argument("--quick", action="store_true", help="small boxes and short spans")

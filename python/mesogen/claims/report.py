@@ -58,13 +58,13 @@ def _read(study, name):
     return sweep
 
 
-def write(study, results, folder, program):
-    """Writes FOLDER/report. Returns (sections, problems): what was drawn, and in words what could not be."""
+def write(study, results, folder, program, name="index.html"):
+    """Writes FOLDER/report, the page by this name. Returns (sections, problems): what was drawn, and in words what could not be."""
     target = os.path.join(folder, FOLDER)
     os.makedirs(target, exist_ok=True)
     sections, problems = [], []
-    for name, found in results.items():
-        problems += [f"{name}: {label}: {reason}" for label, reason in found.missing]
+    for sweep, found in results.items():
+        problems += [f"{sweep}: {label}: {reason}" for label, reason in found.missing]
     if any(reason != NOT_RUN for found in results.values() for _, reason in found.missing):
         problems.append("what failed is tried again with --retry")
     for file in study.sections:
@@ -80,7 +80,7 @@ def write(study, results, folder, program):
             problems.append(f"section {file.name} is left out: {where(study, error)}{type(error).__name__}: {error}")
             continue
         sections.append(section)
-    write_file(os.path.join(target, "index.html"), page(study, sections, _provenance(study, results, program), problems))
+    write_file(os.path.join(target, name), page(study, sections, _provenance(study, results, program), problems))
     return sections, problems
 
 

@@ -3,6 +3,7 @@
 #include "mesogen/exec/blocks.hpp"
 #include "mesogen/exec/first_failure.hpp"
 #include "mesogen/exec/subnormals.hpp"
+#include "mesogen/exec/turns.hpp"
 #include "mesogen/export.hpp"
 #include "mesogen/field/view.hpp"
 
@@ -41,17 +42,17 @@ void for_each(const Space& space, Index count, const Function& function) {
 #endif
   FirstFailure failure;
   const Blocks blocks(count);
+  Turns turns(blocks.number());
 #pragma omp parallel
   {
     [[maybe_unused]] const FlushSubnormals flush;
-#pragma omp for schedule(static)
-    for (Index block = 0; block < blocks.number(); ++block) {
+    turns.take([&](Index block) {
       try {
         for (Index i = blocks.begin(block); i < blocks.end(block); ++i) function(i);
       } catch (...) {
         failure.keep();
       }
-    }
+    });
   }
   failure.rethrow();
 }

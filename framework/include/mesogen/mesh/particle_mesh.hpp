@@ -195,7 +195,7 @@ class ParticleMesh {
     }
   }
 
-  // Another one, within each row.
+  // Within each row a counting sort by column: those of a column stay in the order of storage.
   void place_rows(const std::array<const double*, Dim>& position) {
     const int rows = grid_.row_count();
 #pragma omp parallel

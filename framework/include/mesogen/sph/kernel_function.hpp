@@ -142,7 +142,8 @@ class SplineFunction {
     exec::unroll<Knots>([&](auto k) __attribute__((always_inline)) {
       const Lane t = exec::positive_part(r * line[k].slope + line[k].constant);
       const Lane lower = detail::power<Exponent / 2>(t);
-      const Lane upper = detail::power<Exponent - Exponent / 2>(t);
+      Lane upper = lower;
+      if constexpr (Exponent % 2 == 1) upper = lower * t;
       total = (k % 2 == 1) == Negative ? total + lower * upper : total - lower * upper;
     });
     return total;

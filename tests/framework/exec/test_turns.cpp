@@ -1,0 +1,70 @@
+#include "mesogen/exec/turns.hpp"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <chrono>
+#include <thread>
+#include <vector>
+
+namespace mesogen::exec {
+namespace {
+
+class TurnsOf : public testing::TestWithParam<int> {
+ protected:
+  void SetUp() override { omp_set_num_threads(GetParam()); }
+  void TearDown() override { omp_set_num_threads(before_); }
+
+ private:
+  int before_ = omp_get_max_threads();
+};
+
+TEST_P(TurnsOf, GiveAllOnce) {
+  for (const Index count : {0, 1, 2, 3, 7, 64, 65, 1000, 100'000}) {
+    std::vector<int> times(static_cast<std::size_t>(count));
+    Turns turns(count);
+#pragma omp parallel
+    turns.take([&](Index i) {
+#pragma omp atomic
+      ++times[static_cast<std::size_t>(i)];
+    });
+    EXPECT_EQ(times, std::vector<int>(static_cast<std::size_t>(count), 1)) << count;
+  }
+}
+
+// A team that is smaller than it was to be.
+TEST_P(TurnsOf, LeaveNothingWhereThreadsAreMissing) {
+  Turns turns(1000);
+  Index done = 0;
+  turns.take([&](Index) { ++done; });
+  EXPECT_EQ(done, 1000);
+}
+
+INSTANTIATE_TEST_SUITE_P(Threads, TurnsOf, testing::Values(1, 2, 3, 5));
+
+// One sleeps at its first piece: the other does the rest of both parts.
+TEST(Turns, OthersTakeWhatASlowThreadLeaves) {
+  const int before = omp_get_max_threads();
+  omp_set_num_threads(2);
+  constexpr Index count = 1280;  // pieces of 10
+  Turns turns(count);
+  std::atomic<int> by_other{0};
+  std::atomic<bool> slept{false};
+#pragma omp parallel
+  {
+    const bool slow = omp_get_thread_num() == 0;
+    turns.take([&](Index) {
+      if (!slow) {
+        ++by_other;
+      } else if (!slept.exchange(true)) {
+        for (int ms = 0; by_other < count - 10 && ms < 10000; ++ms)
+          std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      }
+    });
+  }
+  omp_set_num_threads(before);
+  EXPECT_EQ(by_other, count - 10);
+}
+
+}  // namespace
+}  // namespace mesogen::exec
