@@ -42,23 +42,29 @@ TEST_P(TurnsOf, LeaveNothingWhereThreadsAreMissing) {
 
 INSTANTIATE_TEST_SUITE_P(Threads, TurnsOf, testing::Values(1, 2, 3, 5));
 
-// One sleeps at its first piece: the other does the rest of both parts.
+/// Waits until something holds; not for ever.
+template <class Condition>
+void wait_for(const Condition& condition) {
+  for (int ms = 0; !condition() && ms < 10000; ++ms) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+}
+
+// One waits at its first piece: the other does the rest of both parts.
 TEST(Turns, OthersTakeWhatASlowThreadLeaves) {
   const int before = omp_get_max_threads();
   omp_set_num_threads(2);
   constexpr Index count = 1280;  // pieces of 10
   Turns turns(count);
   std::atomic<int> by_other{0};
-  std::atomic<bool> slept{false};
+  std::atomic<bool> begun{false};
 #pragma omp parallel
   {
     const bool slow = omp_get_thread_num() == 0;
     turns.take([&](Index) {
-      if (!slow) {
+      if (slow) {
+        if (!begun.exchange(true)) wait_for([&] { return by_other >= count - 10; });
+      } else {
+        wait_for([&] { return begun.load(); });
         ++by_other;
-      } else if (!slept.exchange(true)) {
-        for (int ms = 0; by_other < count - 10 && ms < 10000; ++ms)
-          std::this_thread::sleep_for(std::chrono::milliseconds(1));
       }
     });
   }
