@@ -33,6 +33,9 @@ class Boundaries(CommandTest):
         self.assert_sides("sound_speed", "half_steps", 0.01, 12.0, 40.0, "density", "energy")
         self.assertEqual(self.verdict("sound_speed", "default", 0.01, 40.0), ("", ""))  # the remedy
 
+    def test_a_step_past_the_limit_of_motion(self):
+        self.assert_sides("incompressible_step", "default", 0.1, 2.2, 2.8, "ran away")
+
     def test_a_step_past_the_limit_of_viscosity(self):
         self.assert_sides("step_factor", "viscosity", None, 1.5, 2.4, "clumping", "compression", "density", "void", "gathering", "ran away")
 
