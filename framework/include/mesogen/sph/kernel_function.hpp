@@ -91,7 +91,7 @@ class KernelFunction {
 };
 
 /// A normalised spline: `Knots` pieces of one power, their signs in turn, the first above 0. A coefficient is part of
-/// its knot, c (k - q)^p = (c^(1/p) k - c^(1/p) q)^p: a third fewer operations. Trivially copyable.
+/// its knot, c (k - q)^p = (c^(1/p) k - c^(1/p) q)^p: a quarter fewer instructions. Trivially copyable.
 template <class Real, int Knots, int Power>
 class SplineFunction {
  public:
