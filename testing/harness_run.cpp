@@ -100,10 +100,9 @@ void HarnessRun::restore(const std::map<std::string, std::vector<double>>& saved
 
 void HarnessRun::step(double end) {
   start();
-  const double seconds = stepper_.next_step(end).seconds;
-  if (seconds > 1e5) throw Error(ExitCode::bad_case, "nothing limits the step in this scene: give TestScene::step");
-  const bool last = seconds >= end - world().time;
-  stepper_.advance(seconds, all_readers(), last ? end : world().time + seconds);
+  const Stepper::Step step = stepper_.next_step(end);
+  if (step.seconds > 1e5) throw Error(ExitCode::bad_case, "nothing limits the step in this scene: give TestScene::step");
+  stepper_.advance(step, all_readers());
   observation_.follow();
 }
 
@@ -181,6 +180,7 @@ std::vector<double> HarnessRun::values(const std::string& name, int component) {
 }
 
 void HarnessRun::move(const std::function<double(double, double)>& x, const std::function<double(double, double)>& y) {
+  world().return_to_order();
   Particles& particles = world().particles;
   const auto at_x = WorldView(world()).position(0);
   const auto at_y = WorldView(world()).position(1);

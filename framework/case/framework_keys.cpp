@@ -134,7 +134,10 @@ ParameterList colour(Case::Colour& colour) {
 ParameterList time(Case::Time& time) {
   ParameterList list;
   list.number("end", time.end).unit("s").doc("simulated time to run").above(0.0).required();
-  list.number_or("step", time.step, "auto").unit("s").doc("time step").above(0.0);
+  list.number_or("step", time.step, "auto")
+      .unit("s")
+      .doc("time step; shortened where a sample or a frame is asked for between two steps")
+      .above(0.0);
   list.text("scheme", time.scheme)
       .choices({"half_steps", "midpoint"})
       .doc("velocity and order tensor advanced by halves of the rates before and after, or by the midpoint's alone");
@@ -147,7 +150,9 @@ ParameterList output(Case::Output& output) {
   ParameterList list;
   list.number("interval", output.interval)
       .unit("s")
-      .doc("simulated time between stored frames; by default the whole run")
+      .doc(
+          "simulated time between stored frames; by default the whole run. Steps end exactly on these times: they are "
+          "shortened for that, so another interval changes the steps, and rounding with them")
       .above(0.0);
   list.number("checkpoint_interval", output.checkpoint_interval)
       .unit("s")
@@ -178,8 +183,16 @@ ParameterList plugin(std::string& type) {
 
 ParameterList timing(ObserverTiming& timing, std::int64_t& every) {
   ParameterList list;
-  list.number_or("interval", timing.interval, "").unit("s").doc("simulated time between samples").above(0.0);
-  list.integer("every", every).unit("steps").doc("steps between samples; not beside interval").at_least(1.0);
+  list.number_or("interval", timing.interval, "")
+      .unit("s")
+      .doc(
+          "simulated time between samples. Steps end exactly on these times: they are shortened for that, so another "
+          "interval changes the steps. Observing itself changes nothing")
+      .above(0.0);
+  list.integer("every", every)
+      .unit("steps")
+      .doc("steps between samples; not beside interval. Leaves the steps as they are")
+      .at_least(1.0);
   return list;
 }
 

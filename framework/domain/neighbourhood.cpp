@@ -50,16 +50,20 @@ std::array<double, 3> Neighbourhood::sorted_at(Index i) const {
 }
 
 const exec::Array<Index>* Neighbourhood::update(Particles& particles) {
-  ++version_;
-  if (!cell_of_.empty() && place(particles.position)) {
-    if (blocks_found_) return nullptr;
-    find_blocks();
-    (void)place(particles.position);
-    return nullptr;
-  }
+  if (update_without_sorting(particles)) return nullptr;
   order(particles);
   find_blocks();
   return &order_;
+}
+
+bool Neighbourhood::update_without_sorting(const Particles& particles) {
+  ++version_;
+  if (cell_of_.empty() || !place(particles.position)) return false;
+  if (!blocks_found_) {
+    find_blocks();
+    (void)place(particles.position);
+  }
+  return true;
 }
 
 const exec::Array<Index>& Neighbourhood::reorder(Particles& particles) {
@@ -75,14 +79,13 @@ void Neighbourhood::order(Particles& particles) {
   blocks_found_ = false;
 }
 
-void Neighbourhood::restore(const Particles& particles, const std::array<std::vector<double>, 3>& sorted_position) {
+void Neighbourhood::restore(const std::array<std::vector<double>, 3>& sorted_position) {
   ++version_;
   for (int d = 0; d < scene_.dimension; ++d)
     sorted_position_[d].assign(sorted_position[d].begin(), sorted_position[d].end());
   find_cells();
   make_outside();
-  find_blocks();
-  (void)place(particles.position);
+  blocks_found_ = false;
 }
 
 // Wherever particles are by now, their blocks are those of the last sorting. Leaves the particles placed there.

@@ -31,6 +31,9 @@ class MESOGEN_EXPORT Neighbourhood {
   /// order[n]; particles themselves are already permuted), nullptr if not.
   const exec::Array<Index>* update(Particles& particles);
 
+  /// Particles moved. Keeps the order of storage; false, and neighbours out of date, if they must be sorted anew.
+  bool update_without_sorting(const Particles& particles);
+
   /// Sorts particles, and finds no neighbours: the next update() does. Returns the new order of storage.
   const exec::Array<Index>& reorder(Particles& particles);
 
@@ -38,11 +41,14 @@ class MESOGEN_EXPORT Neighbourhood {
   /// goes by cells. Unless it is said: where the backend is the host.
   void find_blocks_for_host(bool wanted) { blocks_wanted_ = wanted; }
 
+  /// Is there an order of storage?
+  [[nodiscard]] bool sorted() const { return !cell_of_.empty(); }
   /// The next update() sorts, wherever particles are.
   void forget_order() { cell_of_.clear(); }
 
-  /// Takes up where a run stopped: particles are in the order of storage and were sorted at these coordinates.
-  void restore(const Particles& particles, const std::array<std::vector<double>, 3>& sorted_position);
+  /// Returns to an earlier sorting: particles are in its order of storage and were sorted at these coordinates. Finds
+  /// no neighbours: the next update() does.
+  void restore(const std::array<std::vector<double>, 3>& sorted_position);
   [[nodiscard]] const std::array<exec::Array<double>, 3>& sorted_position() const { return sorted_position_; }
 
   [[nodiscard]] const Copies& copies() const { return copies_; }

@@ -56,7 +56,7 @@ class Rehearsal {
   double step(const std::vector<bool>& due) {
     return seconds([&] {
       const double later = stepper_.world().time + 2.0 * setup_.source.time.end;
-      stepper_.advance(stepper_.next_step(later).seconds, due);
+      stepper_.advance(stepper_.next_step(later), due);
       observe(due);
     });
   }

@@ -107,7 +107,9 @@ void Executor::run(Phase phase, const std::vector<bool>& reader_due) {
     for (std::size_t r = 0; r < reader_due.size() && !wanted; ++r) wanted = reader_due[r] && work.for_observer[r];
     if (wanted) due.push_back(n);
   }
-  if (!due.empty() && graph_.sums_pairs()) world_.settle();
+  // Particles are sorted as the integration goes, whether or not somebody reads.
+  const auto integrates = [this](std::size_t n) { return graph_.works()[n].for_integration; };
+  if (graph_.sums_pairs() && std::any_of(due.begin(), due.end(), integrates)) settle(Purpose::integration);
   // What a pass of this phase writes, others add to; the rest starts from zero.
   std::set<std::string_view> begun;
   for (const std::size_t n : due)
@@ -125,13 +127,17 @@ void Executor::run_alone(Work& work) {
   run(work);
 }
 
+void Executor::settle(Purpose purpose) { purpose == Purpose::reading ? world_.settle_for_reader() : world_.settle(); }
+
 void Executor::run(Work& work) {
-  if (!work.pass.neighbour_reads.empty()) world_.settle();
-  for (const std::string& field : work.pass.own_reads) prepare(field);
+  const Purpose purpose = work.for_integration ? Purpose::integration : Purpose::reading;
+  if (purpose == Purpose::integration) world_.return_to_order();
+  if (!work.pass.neighbour_reads.empty()) settle(purpose);
+  for (const std::string& field : work.pass.own_reads) prepare(field, purpose);
   for (const std::string& field : work.pass.optional_reads)
-    if (world_.fields.find(field) != nullptr) prepare(field);
+    if (world_.fields.find(field) != nullptr) prepare(field, purpose);
   for (const std::string& field : work.pass.neighbour_reads) {
-    prepare(field);
+    prepare(field, purpose);
     world_.refresh_outside(world_.fields.at(field));
   }
   if (!work.on_device) world_.backend.finish();
@@ -148,9 +154,9 @@ void Executor::run(Work& work) {
   for (const std::string& field : work.pass.accumulate_list) ++world_.fields.at(field).version;
 }
 
-void Executor::prepare(const std::string& field) {
+void Executor::prepare(const std::string& field, Purpose purpose) {
   if (!derived_.has(field)) return;
-  world_.settle();
+  settle(purpose);
   derived_.make(field);
 }
 
@@ -167,7 +173,7 @@ void Executor::prepare_for_reader(const std::string& field) {
   // A gradient of what is made for readers.
   if (const std::string source = derived_name(field).source; derived_.has(field) && !source.empty())
     prepare_for_reader(source);
-  prepare(field);
+  prepare(field, Purpose::reading);
 }
 
 // Only if particles, what it reads or what it wrote are no longer as they were: another pass may have written that.

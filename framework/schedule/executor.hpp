@@ -34,8 +34,12 @@ class MESOGEN_EXPORT Executor {
     std::map<std::string, std::uint64_t> versions;  // of what it reads and writes
   };
 
+  /// What is done for readers leaves no trace in the integration.
+  enum class Purpose { integration, reading };
+
   void run(Work& work);
-  void prepare(const std::string& field);
+  void settle(Purpose purpose);
+  void prepare(const std::string& field, Purpose purpose);
   void prepare_for_reader(const std::string& field);
   void observe(Observed& observed);
 

@@ -34,6 +34,7 @@ void World::resize_fields() {
 }
 
 void World::settle() {
+  return_to_order();
   if (!moved_) return;
   moved_ = false;
   const Span span(sorting_, trace);
@@ -42,7 +43,44 @@ void World::settle() {
   end_of_work();
 }
 
+void World::settle_for_reader() {
+  if (!moved_) return;
+  const Span span(sorting_, trace);
+  if (!neighbourhood.update_without_sorting(particles)) {
+    if (!kept_order_ && neighbourhood.sorted()) keep_order();
+    const exec::Array<Index>& order = *neighbourhood.update(particles);
+    if (kept_order_)
+      for (std::size_t n = 0; n < order.size(); ++n)
+        kept_order_->way_back[static_cast<std::size_t>(order[n])] = static_cast<Index>(n);
+    permute_fields(order);
+  }
+  moved_ = false;
+  end_of_work();
+}
+
+void World::keep_order() {
+  backend.finish();
+  kept_order_.emplace(Order{particles, {}, exec::Array<Index>(particles.id.size(), backend.memory())});
+  for (int d = 0; d < scene.dimension; ++d) {
+    const auto& sorted = neighbourhood.sorted_position()[d];
+    kept_order_->sorted_position[d].assign(sorted.begin(), sorted.end());
+  }
+}
+
+void World::return_to_order() {
+  if (!kept_order_) return;
+  const Span span(sorting_, trace);
+  backend.finish();
+  particles = kept_order_->particles;
+  neighbourhood.restore(kept_order_->sorted_position);
+  permute_fields(kept_order_->way_back);
+  moved_ = true;
+  kept_order_.reset();
+  end_of_work();
+}
+
 void World::reorder() {
+  return_to_order();
   const Span span(sorting_, trace);
   permute_fields(neighbourhood.reorder(particles));
   moved_ = true;
@@ -58,14 +96,16 @@ void World::permute_fields(const exec::Array<Index>& order) {
 }
 
 void World::sort_anew() {
+  return_to_order();
   neighbourhood.forget_order();
   mark_moved();
   settle();
 }
 
 void World::restore_order(const std::array<std::vector<double>, 3>& sorted_position) {
+  kept_order_.reset();
   mark_moved();
-  neighbourhood.restore(particles, sorted_position);
+  neighbourhood.restore(sorted_position);
   resize_fields();
   for (const auto& [name, field] : fields.all()) field->refreshed = 0;
 }

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "diagnostics/trace.hpp"
@@ -57,6 +59,13 @@ class MESOGEN_EXPORT World {
   [[nodiscard]] bool settled() const { return !moved_; }
   /// Brings neighbours up to date with the positions: sorts, if need be, and every field into the new order.
   void settle();
+  /// The same for a reader (an observer, a frame), who must leave no trace in the integration. If particles have to be
+  /// sorted for it, the order of storage that the integration had is kept, with the positions as they were (sorting
+  /// takes particles that left the box back inside, which rounds).
+  void settle_for_reader();
+  /// Returns to the order of the integration, if a reader had particles sorted. To be called before particles change,
+  /// and before a checkpoint.
+  void return_to_order();
   /// Stores particles by cell, and those inside that have left the box, for who needs no neighbours: near in space is
   /// near in memory. Leaves neighbours out of date.
   void reorder();
@@ -76,10 +85,18 @@ class MESOGEN_EXPORT World {
  private:
   void resize_fields();
   void permute_fields(const exec::Array<Index>& order);
+  void keep_order();
   template <class Real>
   void carry_over(Field& field);
+  /// The order of storage that the integration had before a reader's sorting.
+  struct Order {
+    Particles particles;
+    std::array<std::vector<double>, 3> sorted_position;
+    exec::Array<Index> way_back;  // a permutation
+  };
   bool moved_ = true;
   std::uint64_t positions_version_ = 1;
+  std::optional<Order> kept_order_;
   Field::Scratch scratch_;
   WallValues walls_;
   CopyRules copy_rules_;

@@ -1,7 +1,7 @@
 #include "simulation/observation.hpp"
 
 #include <algorithm>
-#include <cmath>
+#include <limits>
 
 #include "plugin/plugin_call.hpp"
 #include "simulation/world_view.hpp"
@@ -51,14 +51,6 @@ void call(const World& world, const Setup::ObserverMember& member, const char* n
 
 }  // namespace
 
-bool Timing::due(double from, double to, std::int64_t steps) const {
-  if (every && steps % *every == 0) return true;
-  if (!interval) return false;
-  // A step that falls short of the mark by rounding has reached it.
-  const auto marks = [this](double time) { return std::floor(time / *interval + 1e-9); };
-  return marks(to) > marks(from);
-}
-
 Observation::Observation(Stepper& stepper) : stepper_(stepper) {
   for (const auto& member : stepper.setup().observers) {
     timings_.push_back({member.timing.interval, member.timing.every});
@@ -79,6 +71,12 @@ void Observation::start() {
     call(stepper_.world(), member, "start()",
          [&] { member.plugin->start(DeclaredView(stepper_.world(), stepper_.setup(), member, false)); });
   }
+}
+
+double Observation::next(double time) const {
+  double next = std::numeric_limits<double>::infinity();
+  for (const Timing& timing : timings_) next = std::min(next, timing.next(time));
+  return next;
 }
 
 std::vector<bool> Observation::due(double from, double to, std::int64_t steps, bool last) const {

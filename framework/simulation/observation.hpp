@@ -8,17 +8,9 @@
 #include "output/frame.hpp"
 #include "output/results.hpp"
 #include "simulation/stepper.hpp"
+#include "time/timing.hpp"
 
 namespace mesogen {
-
-/// When something that happens by simulated time or by steps is due. Without memory: a resumed run does the same.
-struct MESOGEN_EXPORT Timing {
-  std::optional<double> interval;     ///< s
-  std::optional<std::int64_t> every;  ///< steps
-
-  /// Does the step from `from` to `to` (s), the one that makes `steps` of them, reach it?
-  [[nodiscard]] bool due(double from, double to, std::int64_t steps) const;
-};
 
 /// The observers and frames of a run, and where their results go.
 class MESOGEN_EXPORT Observation {
@@ -29,6 +21,8 @@ class MESOGEN_EXPORT Observation {
   void declare(ResultsWriter& results) const;
   /// Before the first sample of a new run.
   void start();
+  /// The first time after `time`, s, for which a sample or a frame is asked; infinite if there is none.
+  [[nodiscard]] double next(double time) const;
   /// Which readers (the observers, then the output) read at the end of the step from `from` to `to`; all if it is the
   /// last one.
   [[nodiscard]] std::vector<bool> due(double from, double to, std::int64_t steps, bool last) const;

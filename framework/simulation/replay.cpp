@@ -104,6 +104,7 @@ void Replay::show(std::size_t frame, World& world) const {
       for (int c = 0; c < shape->components; ++c)
         put(c, place, values[static_cast<std::size_t>(world.particles.id[place] * shape->components + c)]);
   };
+  world.return_to_order();
   take("position", [&](int d, std::size_t place, double value) { world.particles.position[d][place] = value; });
   take("image", [&](int d, std::size_t place, double value) {
     world.particles.images[d][place] = static_cast<std::int32_t>(value);

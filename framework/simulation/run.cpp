@@ -62,14 +62,19 @@ class Run {
     observation_.start();
     observation_.observe(std::vector<bool>(setup_.observers.size() + 1, true), results);
     log_.info(fmt::format("{} particles, {} threads, {}, first step {} s (limit: {})", setup_.scene.particle_count,
-                          omp_get_max_threads(), precision(), rounded_text(stepper_.next_step(end()).seconds),
-                          stepper_.next_step(end()).limit));
+                          omp_get_max_threads(), precision(), rounded_text(stepper_.next_step(next_mark()).seconds),
+                          stepper_.next_step(next_mark()).limit));
     if (const std::string fitted = fitted_spacing_text(setup_.source); !fitted.empty())
       log_.info("particles.spacing is " + rounded_text(setup_.scene.spacing) + " m: " + fitted);
     return go_on(results);
   }
 
   [[nodiscard]] double end() const { return setup_.source.time.end; }
+  /// The next time on which a step is to end, s.
+  [[nodiscard]] double next_mark() {
+    const double next = observation_.next(stepper_.world().time);
+    return next > end() * (1.0 - 1e-12) ? end() : next;
+  }
   [[nodiscard]] std::string precision() const {
     return setup_.scene.precision == Precision::single_precision ? "single precision" : "double precision";
   }
@@ -109,12 +114,9 @@ class Run {
     progress_.start(world.time, world.step, end());
     try {
       while (world.time < end() && !stopped()) {
-        const auto [step_size, limit] = stepper_.next_step(end());
-        const double from = world.time;
-        const bool last = step_size >= end() - from;
-        const double to = last ? end() : from + step_size;
-        const auto due = observation_.due(from, to, world.step + 1, last);
-        stepper_.advance(step_size, due, to);
+        const Stepper::Step step = stepper_.next_step(next_mark());
+        const auto due = observation_.due(world.time, step.arrival, world.step + 1, step.arrival >= end());
+        stepper_.advance(step, due);
         observation_.observe(due, results);
         progress_.update(world.time, world.step);
         if (seconds_since(saved) >= setup_.source.output.checkpoint_interval) {

@@ -1,12 +1,14 @@
 #include "simulation/stepper.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <set>
 
 #include "initial/fields.hpp"
 #include "plugin/plugin_call.hpp"
 #include "simulation/planned_fields.hpp"
+#include "time/timing.hpp"
 
 namespace mesogen {
 
@@ -100,34 +102,43 @@ void Stepper::start() {
   motion_.largest_acceleration = integrator_.largest_acceleration();
 }
 
-StepControl::Choice Stepper::next_step(double end) const {
-  StepControl::Choice choice = control_.choose(motion_.fastest, motion_.largest_acceleration);
-  const double left = end - world_.time;
-  // A step that nearly reaches the end goes there; of two last ones neither is tiny.
-  if (choice.seconds > left * (1.0 - 1e-9)) {
-    choice.seconds = left;
-  } else if (!control_.fixed() && choice.seconds > left / 2.0) {
-    choice.seconds = left / 2.0;
-  }
-  return choice;
+Stepper::Step Stepper::next_step(double mark) const {
+  const StepControl::Choice choice = control_.choose(motion_.fastest, motion_.largest_acceleration);
+  const double left = mark - world_.time;
+  const double count = std::max(1.0, std::ceil(left / choice.seconds * (1.0 - 1e-9)));
+  Step step{choice.seconds, mark, choice.limit};
+  // Steps that lead there as they are stay so to the last bit: then the marks between them do not matter.
+  if (!(left / count > choice.seconds * (1.0 - 1e-9))) step.seconds = left / count;
+  if (count > 1.0) step.arrival = arrival_after(step.seconds);
+  return step;
 }
 
-void Stepper::advance(double step_size, const std::vector<bool>& reader_due, std::optional<double> arrival) {
+// In a run of equal steps the time is a multiple of the step, however it was reached.
+double Stepper::arrival_after(double step_size) const {
+  const double sum = world_.time + step_size;
+  const double multiple = std::round(sum / step_size) * step_size;
+  return control_.fixed() && std::abs(sum - multiple) < 1e-9 * step_size ? rounded_time(multiple) : sum;
+}
+
+void Stepper::advance(const Step& step, const std::vector<bool>& reader_due) {
   const double begun = world_.time;
+  const double step_size = step.seconds;
   const Span span(whole_, world_.trace);
   const auto timed = [this](Counter& counter, const auto& action) {
     const Span part(counter, world_.trace);
     action();
     world_.end_of_work();
   };
+  world_.return_to_order();
   world_.step_size = step_size;
   timed(integration_, [&] { integrator_.predict(step_size); });
   keep_order();
   world_.time = begun + step_size / 2.0;
   executor_.run(Phase::begin, reader_due);
   executor_.run(Phase::rates, reader_due);
+  world_.return_to_order();
   timed(integration_, [&] { motion_ = integrator_.correct(step_size); });
-  world_.time = arrival.value_or(begun + step_size);
+  world_.time = step.arrival;
   ++world_.step;
   timed(guarding_, [&] { guard_.check(motion_); });
   executor_.run(Phase::end, reader_due);
@@ -146,6 +157,7 @@ void Stepper::keep_order() {
 }
 
 void Stepper::save(Checkpoint& checkpoint) {
+  world_.return_to_order();
   world_.backend.finish();
   const auto list = [](const auto& values) { return std::vector(values.begin(), values.end()); };
   checkpoint.step = world_.step;

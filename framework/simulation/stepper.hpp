@@ -1,7 +1,6 @@
 #pragma once
 
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,11 +24,16 @@ class MESOGEN_EXPORT Stepper {
 
   /// Evaluates the rates at the initial state: the acceleration that the first step starts with.
   void start();
-  /// The next step, no longer than to `end`.
-  [[nodiscard]] StepControl::Choice next_step(double end) const;
+  struct Step {
+    double seconds;
+    double arrival;     ///< the time at its end, s
+    std::string limit;  ///< what binds
+  };
+  /// The next step on the way to `mark`, a time after now on which a step is to end: the way is cut into equal steps,
+  /// as few as may be. So steps are shortened by little, and none is tiny.
+  [[nodiscard]] Step next_step(double mark) const;
   /// One step. `reader_due` tells which readers will read at its end. Throws Error(run_failed) if the run broke down.
-  /// `arrival`: the time after it, where time + step_size would be that but for rounding.
-  void advance(double step_size, const std::vector<bool>& reader_due, std::optional<double> arrival = {});
+  void advance(const Step& step, const std::vector<bool>& reader_due);
 
   [[nodiscard]] World& world() { return world_; }
   [[nodiscard]] Executor& executor() { return executor_; }
@@ -48,6 +52,7 @@ class MESOGEN_EXPORT Stepper {
   void add_fields();
   void set_initial_fields();
   void keep_order();
+  [[nodiscard]] double arrival_after(double step_size) const;
 
   Setup& setup_;
   World world_;

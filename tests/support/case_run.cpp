@@ -33,15 +33,11 @@ CaseRun::CaseRun(const CaseText& text, const std::vector<std::string>& settings,
 }
 
 void CaseRun::run_to(double time) {
-  while (world().time < time) {
-    const double step = stepper_->next_step(time).seconds;
-    const bool last = step >= time - world().time;
-    stepper_->advance(step, nobody_, last ? time : world().time + step);
-  }
+  while (world().time < time) stepper_->advance(stepper_->next_step(time), nobody_);
 }
 
 void CaseRun::run_steps(int steps) {
-  for (int n = 0; n < steps; ++n) stepper_->advance(stepper_->next_step(setup_->source.time.end).seconds, nobody_);
+  for (int n = 0; n < steps; ++n) stepper_->advance(stepper_->next_step(setup_->source.time.end), nobody_);
 }
 
 std::vector<double> CaseRun::field(const std::string& name, int component) {

@@ -72,7 +72,7 @@ TEST(Guard, AutomaticStepThatRunsAwayIsNotBlamedOnTimeStep) {
   run.stepper().start();
   const std::string text = [&] {
     try {
-      run.stepper().advance(0.01, {});
+      run.stepper().advance({.seconds = 0.01, .arrival = run.time() + 0.01, .limit = {}}, {});
     } catch (const Error& error) {
       return std::string(error.what());
     }

@@ -111,10 +111,9 @@ Counters observed(CaseRun& run, int count) {
   observation.start();
   const Counters before = counters(run);
   for (int n = 0; n < count; ++n) {
-    const double from = run.time();
-    const double to = from + run.stepper().next_step(1e6).seconds;
-    const auto due = observation.due(from, to, run.world().step + 1, false);
-    run.stepper().advance(to - from, due, to);
+    const Stepper::Step step = run.stepper().next_step(1e6);
+    const auto due = observation.due(run.time(), step.arrival, run.world().step + 1, false);
+    run.stepper().advance(step, due);
     observation.sample(due, [](const std::string&, const Sample&) {});
   }
   Counters after = counters(run);

@@ -101,7 +101,7 @@ class MESOGEN_EXPORT ObserverContext {
   [[nodiscard]] virtual std::int64_t step() const = 0;
 };
 
-/// Watches a run and records numbers; changes nothing. `interval` and `every` are the framework's own keys.
+/// Watches a run and records numbers; changes not one bit of it. `interval` and `every` are the framework's own keys.
 class MESOGEN_EXPORT Observer {
  public:
   Observer() = default;

@@ -1,0 +1,35 @@
+#include "time/timing.hpp"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <limits>
+
+namespace mesogen {
+
+namespace {
+
+// A time that falls short of a mark by rounding has reached it.
+double marks_until(double time, double interval) { return std::floor(time / interval * (1.0 + 1e-12) + 1e-9); }
+
+}  // namespace
+
+double rounded_time(double time) {
+  std::array<char, 32> text{};
+  const auto end = std::to_chars(text.begin(), text.end(), time, std::chars_format::scientific, 13).ptr;
+  double rounded = time;
+  std::from_chars(text.begin(), end, rounded);
+  return rounded;
+}
+
+double Timing::next(double time) const {
+  if (!interval) return std::numeric_limits<double>::infinity();
+  return rounded_time((marks_until(time, *interval) + 1.0) * *interval);
+}
+
+bool Timing::due(double from, double to, std::int64_t steps) const {
+  if (every && steps % *every == 0) return true;
+  return interval && marks_until(to, *interval) > marks_until(from, *interval);
+}
+
+}  // namespace mesogen
