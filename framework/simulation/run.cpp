@@ -206,6 +206,7 @@ class Run {
                             options_.folder.string()));
       return ExitCode::interrupted;
     }
+    record_end(results);
     results.finish(cost);
     report(world.step - first, stepping);
     return ExitCode::done;
