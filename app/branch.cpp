@@ -15,6 +15,7 @@ struct Options {
   std::string output;
   std::optional<double> at;
   std::vector<std::string> changes;
+  bool overwrite = false;
   PluginFolders plugin_folders;
   RunningOptions running;
 };
@@ -24,6 +25,7 @@ ExitCode branch(const Options& options) {
   const auto registry = load_plugins(options.plugin_folders, options.running.quiet);
   RunOptions run;
   run.folder = options.output;
+  run.overwrite = options.overwrite;
   run.profile = options.running.profile;
   run.trace = options.running.trace;
   run.stop = &stop_on_signal();
@@ -49,6 +51,7 @@ void add_branch(CLI::App& command, Action& action) {
                    "particles, the initial conditions (director, velocity, colour) and which fields are advanced")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
+  verb->add_flag("--overwrite", options->overwrite, "Remove the run that NEW holds first");
   add_plugin_path(*verb, options->plugin_folders);
   add_running(*verb, options->running);
   verb->callback([&action, options] { action = [options] { return branch(*options); }; });

@@ -155,8 +155,9 @@ ParameterList output(Case::Output& output) {
       .above(0.0);
   list.numbers("checkpoint_times", output.checkpoint_times)
       .unit("s")
-      .doc("simulated times of checkpoints that stay for good, in the run's folder `checkpoints`: `mesogen branch --at` "
-           "starts new runs from them")
+      .doc(
+          "simulated times of checkpoints that stay for good, in the run's folder `checkpoints`: `mesogen branch --at` "
+          "starts new runs from them")
       .above(0.0);
   list.number_or("checkpoint_every", output.checkpoint_every, "")
       .unit("s")

@@ -16,8 +16,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Shortest text that reads back to the same time; the step before it makes names sort.
-std::string name_of(std::int64_t step, double time) { return fmt::format("step{:010}_t{}.h5", step, time); }
+/// The step makes names sort, and twelve digits of the time leave its rounding out.
+std::string name_of(std::int64_t step, double time) { return fmt::format("step{:010}_t{:.12g}.h5", step, time); }
 
 std::optional<KeptCheckpoint> read_name(const std::string& name) {
   long long step = 0;

@@ -16,7 +16,7 @@ constexpr const char* kept_checkpoints_folder = "checkpoints";
 struct KeptCheckpoint {
   std::string name;  ///< relative to the run's folder
   std::int64_t step = 0;
-  double time = 0.0;  ///< s
+  double time = 0.0;  ///< s, to twelve digits
 };
 
 /// Writes a checkpoint to a file of its own; on disk when it returns. Throws Error(run_failed).

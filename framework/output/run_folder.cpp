@@ -57,15 +57,13 @@ fs::path name_before_start(const fs::path& folder) {
 /// Removes a folder that was about to start. Whoever finds it locked is not the one to remove it.
 void remove_unstarted(const fs::path& folder) {
   std::error_code ignored;
-  for (const char* name :
-       {"case.toml", "case.toml.tmp", "checkpoint_a.h5", "checkpoint_a.h5.tmp", "mesogen.lock"})
+  for (const char* name : {"case.toml", "case.toml.tmp", "checkpoint_a.h5", "checkpoint_a.h5.tmp", "mesogen.lock"})
     fs::remove(folder / name, ignored);
   fs::remove(folder, ignored);
 }
 
 /// Nothing if an empty folder is there already and has to be filled in place.
-std::optional<RunLock> start_new_folder(const fs::path& folder, const std::string& case_text,
-                                        const Checkpoint* first) {
+std::optional<RunLock> start_new_folder(const fs::path& folder, const std::string& case_text, const Checkpoint* first) {
   const fs::path before = name_before_start(folder);
   std::error_code error;
   std::error_code ignored;
@@ -162,8 +160,7 @@ bool belongs_to_run(const fs::path& file) {
   return false;
 }
 
-RunLock start_run_folder(const fs::path& given, const std::string& case_text, bool overwrite,
-                         const Checkpoint* first) {
+RunLock start_run_folder(const fs::path& given, const std::string& case_text, bool overwrite, const Checkpoint* first) {
   const fs::path folder = (given.has_filename() ? given : given.parent_path());
   std::error_code error;
   if (fs::exists(folder, error) && !fs::is_directory(folder, error))

@@ -11,10 +11,10 @@ namespace mesogen {
 /// What a run took, over all its sessions. Steps that were computed again after a kill count once.
 struct RunCost {
   std::int64_t steps = 0;
-  std::int64_t sessions = 0;   ///< processes that computed some of them: 1 for a run without a break
-  double wall_seconds = 0.0;   ///< of stepping with its output, without start-up
-  double cpu_seconds = 0.0;    ///< the same, of all threads
-  int threads = 0;             ///< of the last session
+  std::int64_t sessions = 0;     ///< processes that computed some of them: 1 for a run without a break
+  double wall_seconds = 0.0;     ///< of stepping with its output, without start-up
+  double cpu_seconds = 0.0;      ///< the same, of all threads
+  int threads = 0;               ///< of the last session
   std::int64_t peak_memory = 0;  ///< resident, bytes, of the largest session; 0 where the system does not tell
 
   bool operator==(const RunCost&) const = default;

@@ -3,7 +3,8 @@
 #include "output/hdf5.hpp"
 #include "output/run_record.hpp"
 
-/// Records of a run in its files: results.h5 (under /parameters) and checkpoints have them alike, as groups of attributes.
+/// Records of a run in its files: results.h5 (under /parameters) and checkpoints have them alike, as groups of
+/// attributes.
 namespace mesogen::output {
 
 void write_cost(const hdf5::Id& parent, const RunCost& cost);

@@ -24,6 +24,8 @@ struct Found {
   Checkpoint checkpoint;
 };
 
+bool same_time(double one, double other) { return std::abs(one - other) <= 1e-9 * std::abs(other); }
+
 void check_version(const fs::path& file, const Checkpoint& checkpoint) {
   if (checkpoint.version != MESOGEN_VERSION)
     throw Error(ExitCode::bad_case, "cannot use " + file.string() + ": it was written by version " +
@@ -50,13 +52,13 @@ std::vector<KeptCheckpoint> all_checkpoints(const fs::path& folder) {
   std::vector<double> times;
   for (const KeptCheckpoint& one : all) times.push_back(one.time);
   std::ranges::sort(times);
-  times.erase(std::unique(times.begin(), times.end()), times.end());
+  times.erase(std::unique(times.begin(), times.end(), same_time), times.end());
   std::ranges::stable_sort(times, {}, [&](double time) { return std::abs(time - at); });
   constexpr std::size_t most = 6;
   const bool more = times.size() > most;
   times.resize(std::min(times.size(), most));
   std::vector<std::string> texts;
-  for (const double time : times) texts.push_back(fmt::format("{}", time));
+  for (const double time : times) texts.push_back(fmt::format("{:.12g}", time));
   throw Error(ExitCode::bad_case,
               times.empty() ? fmt::format("{} holds no checkpoint to branch from", folder.string())
                             : fmt::format("{} holds no checkpoint at t = {} s. {} t = {} s. A run with "
@@ -71,9 +73,7 @@ Found find_checkpoint(const BranchPoint& from) {
     found.checkpoint = read_newest_checkpoint(from.folder, &found.file);
   } else {
     const auto all = all_checkpoints(from.folder);
-    const auto at = std::ranges::find_if(all, [&](const KeptCheckpoint& one) {
-      return std::abs(one.time - *from.at) <= 1e-9 * std::abs(*from.at);
-    });
+    const auto at = std::ranges::find_if(all, [&](const KeptCheckpoint& one) { return same_time(one.time, *from.at); });
     if (at == all.end()) refuse_time(from.folder, *from.at, all);
     found.file = at->name;
     found.checkpoint = read_checkpoint(from.folder / at->name);
@@ -86,8 +86,8 @@ Found find_checkpoint(const BranchPoint& from) {
 Checkpoint first_checkpoint(const Setup& before, const Setup& after, const BranchPoint& from,
                             const std::vector<std::string>& changes, Found found) {
   Checkpoint first = std::move(found.checkpoint);
-  first.origin = BranchOrigin{fs::absolute(from.folder).lexically_normal().string(), found.file, first.time, first.step,
-                              changes};
+  first.origin =
+      BranchOrigin{fs::absolute(from.folder).lexically_normal().string(), found.file, first.time, first.step, changes};
   first.case_text = after.resolved_text;
   first.instruction_sets = after.instruction_sets;
   first.precision = after.scene.precision;
@@ -106,6 +106,10 @@ Checkpoint first_checkpoint(const Setup& before, const Setup& after, const Branc
 ExitCode branch_run(const PluginRegistry& registry, const BranchPoint& from, const std::vector<std::string>& changes,
                     const RunOptions& options, Log& log, Progress& progress) {
   const std::string text = stored_case(from.folder);
+  std::error_code ignored;
+  if (fs::equivalent(from.folder, options.folder, ignored))
+    throw Error(ExitCode::bad_case,
+                options.folder.string() + " is the run to branch from: choose another folder for the new run");
   RunTrace::check(options.trace, options.folder);
   const std::string file = (from.folder / "case.toml").string();
   Problems problems;
@@ -119,8 +123,8 @@ ExitCode branch_run(const PluginRegistry& registry, const BranchPoint& from, con
   const std::string name = (from.folder / found.file).string();
   const Checkpoint first = first_checkpoint(*before, *after, from, changes, std::move(found));
   const RunLock lock = start_run_folder(options.folder, after->resolved_text, options.overwrite, &first);
-  log.info(fmt::format("branching from {} at t = {} s, step {}, to t = {} s", name, rounded_text(first.time), first.step,
-                       rounded_text(after->source.time.end)));
+  log.info(fmt::format("branching from {} at t = {} s, step {}, to t = {} s", name, rounded_text(first.time),
+                       first.step, rounded_text(after->source.time.end)));
   return continue_session(*after, first, options, log, progress);
 }
 

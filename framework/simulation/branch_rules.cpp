@@ -80,10 +80,11 @@ void check_numbers(const Setup& after, const Checkpoint& checkpoint, Problems& p
       const auto at = checkpoint.numbers.find(member.instance + " keeps " + kept.name);
       const std::size_t there = at == checkpoint.numbers.end() ? 0 : at->second.size();
       if (there == kept.count) continue;
-      problems.add(after.source.place(member.instance), member.instance,
-                   fmt::format("goes on from {} numbers (\"{}\") and the checkpoint has {}: keep the plugin, its name and "
-                               "its resolution as they were",
-                               kept.count, kept.name, there));
+      problems.add(
+          after.source.place(member.instance), member.instance,
+          fmt::format("goes on from {} numbers (\"{}\") and the checkpoint has {}: keep the plugin, its name and "
+                      "its resolution as they were",
+                      kept.count, kept.name, there));
     }
 }
 
@@ -111,19 +112,20 @@ void check_branched_setup(const Setup& before, const Setup& after, const Checkpo
   const Case& source = after.source;
   for (int axis = 0; axis < after.scene.dimension; ++axis)
     if (before.scene.periodic[axis] != after.scene.periodic[axis]) {
-      problems.add(source.place("domain.boundary"), "domain.boundary",
-                   "cannot change from periodic faces to walls or back at a branch: the particles of the checkpoint are "
-                   "spread for the old faces");
+      problems.add(
+          source.place("domain.boundary"), "domain.boundary",
+          "cannot change from periodic faces to walls or back at a branch: the particles of the checkpoint are "
+          "spread for the old faces");
       break;
     }
   check_fields(after, checkpoint, problems);
   check_numbers(after, checkpoint, problems);
   if (!(source.time.end > checkpoint.time))
-    problems.add(source.place("time.end"), "time.end",
-                 fmt::format("must be later than the branch, t = {} s, but is {} s: say how long it is to go on, such as "
-                             "--set time.end={}",
-                             rounded_text(checkpoint.time), rounded_text(source.time.end),
-                             rounded_text(2.0 * checkpoint.time)));
+    problems.add(
+        source.place("time.end"), "time.end",
+        fmt::format("must be later than the branch, t = {} s, but is {} s: say how long it is to go on, such as "
+                    "--set time.end={}",
+                    rounded_text(checkpoint.time), rounded_text(source.time.end), rounded_text(2.0 * checkpoint.time)));
 }
 
 bool same_cells(const Setup& before, const Setup& after) {

@@ -26,9 +26,10 @@ bool off_course(const Checkpoint& checkpoint, double end) {
 }
 
 std::string finished_text(const std::filesystem::path& folder, double time) {
-  return fmt::format("this run is finished, at t = {} s, and left as it is. `mesogen resume {} --set time.end={}` extends "
-                     "it; `mesogen branch {} NEW` starts a new run from its checkpoints",
-                     rounded_text(time), folder.string(), rounded_text(2.0 * time), folder.string());
+  return fmt::format(
+      "this run is finished, at t = {} s, and left as it is. `mesogen resume {} --set time.end={}` extends "
+      "it; `mesogen branch {} NEW` starts a new run from its checkpoints",
+      rounded_text(time), folder.string(), rounded_text(2.0 * time), folder.string());
 }
 
 }  // namespace
@@ -53,17 +54,17 @@ ExitCode resume_run(const PluginRegistry& registry, const RunOptions& options, c
   std::string which;
   std::vector<std::string> refused;
   Checkpoint checkpoint = read_newest_checkpoint(
-      options.folder, &which, &refused,
-      [&](const Checkpoint& read) { return unfit(read, setup->resolved_text); });
+      options.folder, &which, &refused, [&](const Checkpoint& read) { return unfit(read, setup->resolved_text); });
   for (const std::string& reason : refused) log.warn(reason);
   check_resumed_values(read_case_text(text, file, {}, problems), setup->source, checkpoint.time, problems);
   problems.throw_if_any();
   if (off_course(checkpoint, end))
     checkpoint = read_newest_checkpoint(options.folder, &which, nullptr, [&](const Checkpoint& read) -> std::string {
       if (const std::string fault = unfit(read, setup->resolved_text); !fault.empty()) return fault;
-      return off_course(read, end) ? "its last steps were shortened to end at t = " + rounded_text(*read.shortened_for) +
-                                         " s, so it is no state of a longer run; `mesogen branch` can start from it"
-                                   : std::string();
+      return off_course(read, end)
+                 ? "its last steps were shortened to end at t = " + rounded_text(*read.shortened_for) +
+                       " s, so it is no state of a longer run; `mesogen branch` can start from it"
+                 : std::string();
     });
   if (checkpoint.time < end) {
     log.info(fmt::format("resuming from {} at t = {} s, step {}, to t = {} s", which, rounded_text(checkpoint.time),

@@ -52,10 +52,11 @@ void check_resumed_keys(const std::vector<std::string>& changes, const std::stri
   for (const std::string& change : changes) {
     const std::string key = key_of(change);
     if (std::ranges::find(keys, key) != keys.end()) continue;
-    problems.add({"--set", 0, 0}, key,
-                 fmt::format("cannot change while a run goes on: its past was computed with the old value; `mesogen "
-                             "branch {} NEW --set {}` starts a new run with it from a checkpoint. What can change here: {}",
-                             folder, change, fmt::join(keys, ", ")));
+    problems.add(
+        {"--set", 0, 0}, key,
+        fmt::format("cannot change while a run goes on: its past was computed with the old value; `mesogen "
+                    "branch {} NEW --set {}` starts a new run with it from a checkpoint. What can change here: {}",
+                    folder, change, fmt::join(keys, ", ")));
   }
 }
 
@@ -70,8 +71,7 @@ void check_resumed_values(const Case& before, const Case& after, double time, Pr
     problems.add(place, "output.checkpoint_times",
                  fmt::format("must stay as it was up to t = {} s, where the run is now: [{}], and may name other times "
                              "only after that",
-                             rounded_text(time),
-                             fmt::join(until(before.output.checkpoint_times, time), ", ")));
+                             rounded_text(time), fmt::join(until(before.output.checkpoint_times, time), ", ")));
 }
 
 std::string without_resumable_keys(std::string_view resolved_text) {

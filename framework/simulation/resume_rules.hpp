@@ -8,8 +8,8 @@
 #include "case/problems.hpp"
 #include "mesogen/export.hpp"
 
-/// What of its case may change while a run goes on: keys with which the run so far is a run of the changed case as well.
-/// Everything else needs a branch.
+/// What of its case may change while a run goes on: keys with which the run so far is a run of the changed case as
+/// well. Everything else needs a branch.
 namespace mesogen {
 
 /// Their names: "time.end", ...

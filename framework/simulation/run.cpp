@@ -155,8 +155,8 @@ class Run {
     shortened_for_ = end();
   }
 
-  /// All look at the last state. What a longer run does not record there is written down as such, and observers are saved
-  /// as they were before.
+  /// All look at the last state. What a longer run does not record there is written down as such, and observers are
+  /// saved as they were before.
   void record_end(ResultsWriter& results) {
     if (saved_step_ == stepper_.world().step) return;  // resumed from there
     const Span span(checkpoints_, trace_.trace());
@@ -259,8 +259,8 @@ class Run {
   Counter checkpoints_{"output: checkpoint", "output"};
   KeptTimes kept_;
   CostMeter cost_;
-  RunCost before_;                        ///< of earlier sessions
-  std::optional<double> shortened_for_;   ///< see Checkpoint
+  RunCost before_;                       ///< of earlier sessions
+  std::optional<double> shortened_for_;  ///< see Checkpoint
   std::optional<BranchOrigin> origin_;
   std::vector<Counter> shares_before_;
   std::int64_t saved_step_ = -1;  ///< of the last checkpoint written

@@ -27,8 +27,8 @@ struct RunOptions {
 MESOGEN_EXPORT ExitCode run_case(Case source, const PluginRegistry& registry, const RunOptions& options, Log& log,
                                  Progress& progress);
 /// Continues the run in a folder from its newest valid checkpoint to the same bits as an unbroken run. `changes`:
-/// overrides of the few keys that may change while a run goes on, time.end above all. A finished run that nothing changes
-/// is left as it is.
+/// overrides of the few keys that may change while a run goes on, time.end above all. A finished run that nothing
+/// changes is left as it is.
 MESOGEN_EXPORT ExitCode resume_run(const PluginRegistry& registry, const RunOptions& options,
                                    const std::vector<std::string>& changes, Log& log, Progress& progress);
 
