@@ -116,8 +116,8 @@ class ExtendedRuns(CommandTest):
         before = fingerprint(self.path("out"))
         for change in ([], ["--set", "time.end=0.1"]):
             _, err = self.mesogen("resume", "out", *change)
-            self.assertIn("this run is finished, at t = 0.1 s, and left as it is. `mesogen resume out --set time.end=0.2` "
-                          "extends it; `mesogen branch out NEW` starts a new run", err)
+            self.assertIn("this run is finished, at t = 0.1 s, and left as it is. `mesogen resume out --set "
+                          "time.end=0.2` extends it; `mesogen branch out NEW` starts a new run", err)
             self.assertEqual(fingerprint(self.path("out")), before)
 
     def test_what_would_change_the_past_is_refused(self):
@@ -125,9 +125,10 @@ class ExtendedRuns(CommandTest):
         before = fingerprint(self.path("out"))
         for change, expected in (
                 ("physics.flow.viscosity=1.0",
-                 "physics.flow.viscosity: cannot change while a run goes on: its past was computed with the old value; "
-                 "`mesogen branch out NEW --set physics.flow.viscosity=1.0` starts a new run with it from a checkpoint. "
-                 "What can change here: time.end, output.checkpoint_interval, output.checkpoint_times, run.device, title"),
+                 "physics.flow.viscosity: cannot change while a run goes on: its past was computed with the old "
+                 "value; `mesogen branch out NEW --set physics.flow.viscosity=1.0` starts a new run with it from a "
+                 "checkpoint. What can change here: time.end, output.checkpoint_interval, output.checkpoint_times, "
+                 "run.device, title"),
                 ("output.interval=0.01", "output.interval: cannot change while a run goes on"),
                 ("time={end=1.0}", "time: cannot change while a run goes on"),
                 ("time.end=0.05", "time.end: must be 0.1 s or more, since the run has come that far, but is 0.05 s"),
