@@ -61,6 +61,7 @@ int main(int count, char** arguments) {
     app::Action action;
     app::add_run(command, action);
     app::add_resume(command, action);
+    app::add_branch(command, action);
     app::add_replay(command, action);
     app::add_check(command, action);
     app::add_graph(command, action);

@@ -1,8 +1,12 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <iostream>
 #include <memory>
 
 #include "interrupt.hpp"
 #include "options.hpp"
+#include "simulation/resume_rules.hpp"
 #include "simulation/run.hpp"
 #include "verbs.hpp"
 
@@ -12,6 +16,7 @@ namespace {
 
 struct Options {
   std::string folder;
+  std::vector<std::string> changes;
   PluginFolders plugin_folders;
   RunningOptions running;
 };
@@ -26,15 +31,21 @@ ExitCode resume(const Options& options) {
   run.stop = &stop_on_signal();
   Log log(options.running.quiet);
   Progress progress(std::cerr, Progress::style_for(2, options.running.quiet));
-  return resume_run(registry, run, log, progress);
+  return resume_run(registry, run, options.changes, log, progress);
 }
 
 }  // namespace
 
 void add_resume(CLI::App& command, Action& action) {
   const auto options = std::make_shared<Options>();
-  auto* const verb = command.add_subcommand("resume", "Continue a run from its newest checkpoint");
+  auto* const verb = command.add_subcommand("resume", "Continue a run from its newest checkpoint, or extend it");
   verb->add_option("folder", options->folder, "Folder of the run")->type_name("DIR")->required();
+  verb->add_option("--set", options->changes,
+                   fmt::format("Change a key of the case: time.end=20 extends the run. May be repeated. Only keys that "
+                               "leave the past as it is: {}; `mesogen branch` changes others",
+                               fmt::join(resumable_keys(), ", ")))
+      ->type_name("KEY=VALUE")
+      ->allow_extra_args(false);
   add_plugin_path(*verb, options->plugin_folders);
   add_running(*verb, options->running);
   verb->callback([&action, options] { action = [options] { return resume(*options); }; });

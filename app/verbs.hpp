@@ -13,6 +13,7 @@ using Action = std::function<ExitCode()>;
 
 void add_run(CLI::App& command, Action& action);
 void add_resume(CLI::App& command, Action& action);
+void add_branch(CLI::App& command, Action& action);
 void add_replay(CLI::App& command, Action& action);
 void add_check(CLI::App& command, Action& action);
 void add_graph(CLI::App& command, Action& action);

@@ -101,7 +101,8 @@ void HarnessRun::restore(const std::map<std::string, std::vector<double>>& saved
 void HarnessRun::step(double end) {
   start();
   const Stepper::Step step = stepper_.next_step(end);
-  if (step.seconds > 1e5) throw Error(ExitCode::bad_case, "nothing limits the step in this scene: give TestScene::step");
+  if (step.seconds > 1e5)
+    throw Error(ExitCode::bad_case, "nothing limits the step in this scene: give TestScene::step");
   stepper_.advance(step, all_readers());
   observation_.follow();
 }

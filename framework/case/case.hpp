@@ -76,8 +76,10 @@ struct MESOGEN_EXPORT Case {
     std::string scheme = "midpoint";  ///< see TimeScheme
   };
   struct Output {
-    double interval = 0.0;              ///< s of simulated time; by default the end of the run
-    double checkpoint_interval = 60.0;  ///< s of wall time
+    double interval = 0.0;                   ///< s of simulated time; by default the end of the run
+    double checkpoint_interval = 60.0;       ///< s of wall time
+    std::vector<double> checkpoint_times;    ///< s of simulated time: checkpoints kept for good
+    std::optional<double> checkpoint_every;  ///< s of simulated time between such
     /// Without position, which is always stored. If not given in the case: those of these that the scene has.
     std::vector<std::string> fields = {"velocity", "order_tensor"};
     bool fields_given = false;

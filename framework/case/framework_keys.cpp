@@ -156,7 +156,17 @@ ParameterList output(Case::Output& output) {
       .above(0.0);
   list.number("checkpoint_interval", output.checkpoint_interval)
       .unit("s")
-      .doc("wall time between checkpoints")
+      .doc("wall time between checkpoints, from which a run that was broken off goes on; only the newest two stay")
+      .above(0.0);
+  list.numbers("checkpoint_times", output.checkpoint_times)
+      .unit("s")
+      .doc(
+          "simulated times of checkpoints that stay for good, in the run's folder `checkpoints`: `mesogen branch --at` "
+          "starts new runs from them")
+      .above(0.0);
+  list.number_or("checkpoint_every", output.checkpoint_every, "")
+      .unit("s")
+      .doc("simulated time between such checkpoints; beside checkpoint_times: both")
       .above(0.0);
   list.texts("fields", output.fields)
       .doc("stored fields of the particles, beside their positions; by default those of these that the scene has");

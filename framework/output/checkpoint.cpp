@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <span>
 #include <system_error>
-#include <utility>
 
 #include "mesogen/diagnostics/error.hpp"
 #include "output/checkpoint_file.hpp"
@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array file_names = {"checkpoint_a.h5", "checkpoint_b.h5"};
+constexpr std::array file_names = {"checkpoint_a.h5", "checkpoint_b.h5", "checkpoint_before_end.h5"};
 
 /// A file read and unpacked, or why not.
 struct Candidate {
@@ -35,19 +35,29 @@ Candidate look_at(const fs::path& folder, const std::string& name) {
   return candidate;
 }
 
+void write(const fs::path& folder, const std::string& name, const Checkpoint& checkpoint) {
+  std::int64_t newest = -1;
+  for (const char* other : file_names) newest = std::max(newest, output::serial_of(folder / other));
+  const std::vector<std::byte> bytes = output::encode_checkpoint(checkpoint, newest + 1);
+  output::write_file(folder / name, std::span<const std::byte>(bytes));
+}
+
 }  // namespace
 
 bool has_checkpoint(const fs::path& folder) {
   std::error_code error;
-  return fs::exists(folder / file_names[0], error) || fs::exists(folder / file_names[1], error);
+  return std::ranges::any_of(file_names, [&](const char* name) { return fs::exists(folder / name, error); });
 }
 
 void write_checkpoint(const fs::path& folder, const Checkpoint& checkpoint) {
   // A truncated file counts as the oldest, so it goes before a whole one.
   const std::int64_t a = output::serial_of(folder / file_names[0]);
   const std::int64_t b = output::serial_of(folder / file_names[1]);
-  const std::vector<std::byte> bytes = output::encode_checkpoint(checkpoint, std::max(a, b) + 1);
-  output::write_file(folder / (a <= b ? file_names[0] : file_names[1]), std::span<const std::byte>(bytes));
+  write(folder, a <= b ? file_names[0] : file_names[1], checkpoint);
+}
+
+void write_checkpoint_before_end(const fs::path& folder, const Checkpoint& checkpoint) {
+  write(folder, file_names[2], checkpoint);
 }
 
 Checkpoint read_checkpoint(const fs::path& file) {
@@ -65,8 +75,7 @@ Checkpoint read_newest_checkpoint(const fs::path& folder, std::string* which, st
   for (const char* name : file_names)
     if (fs::exists(folder / name, error)) candidates.push_back(look_at(folder, name));
   if (candidates.empty()) throw Error(ExitCode::bad_case, folder.string() + " holds no checkpoint to continue from");
-  if (candidates.size() == 2 && candidates[0].sealed.serial < candidates[1].sealed.serial)
-    std::swap(candidates[0], candidates[1]);
+  std::ranges::stable_sort(candidates, std::ranges::greater(), [](const Candidate& one) { return one.sealed.serial; });
 
   // Files that were damaged have no serial number, so they are named last, but before any older one is used.
   std::vector<std::string> reasons;

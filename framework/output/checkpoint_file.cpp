@@ -13,6 +13,7 @@
 
 #include "mesogen/diagnostics/error.hpp"
 #include "output/hdf5.hpp"
+#include "output/run_record_file.hpp"
 
 namespace mesogen::output {
 
@@ -98,6 +99,11 @@ std::vector<std::byte> encode_checkpoint(const Checkpoint& checkpoint, std::int6
     write_arrays(file, "integers", checkpoint.integers);
     const hdf5::Id observers = hdf5::create_group(file, "observers");
     for (const auto& [name, saved] : checkpoint.observers) write_arrays(observers, name, saved);
+    write_cost(file, checkpoint.cost);
+    write_end_records(file, checkpoint.end_records);
+    if (checkpoint.origin) write_origin(file, *checkpoint.origin);
+    if (checkpoint.shortened_for) hdf5::write_attribute(file, "shortened_for", *checkpoint.shortened_for);
+    hdf5::write_attribute(file, "starts_branch", static_cast<std::int64_t>(checkpoint.starts_branch));
     content = hdf5::image(file);
   } catch (const hdf5::Failure& failure) {
     throw Error(ExitCode::run_failed, "cannot make the checkpoint: " + std::string(failure.what()));
@@ -136,6 +142,12 @@ Checkpoint decode_content(const SealedCheckpoint& sealed) {
     const hdf5::Id observers = hdf5::open_group(file, "observers");
     for (const std::string& name : hdf5::names(observers))
       checkpoint.observers[name] = read_arrays<double>(observers, name);
+    checkpoint.cost = read_cost(file);
+    checkpoint.end_records = read_end_records(file);
+    if (has_origin(file)) checkpoint.origin = read_origin(file);
+    if (hdf5::has_attribute(file, "shortened_for"))
+      checkpoint.shortened_for = hdf5::read_attribute<double>(file, "shortened_for");
+    checkpoint.starts_branch = hdf5::read_attribute<std::int64_t>(file, "starts_branch") != 0;
     return checkpoint;
   } catch (const hdf5::Failure& failure) {
     throw DamagedCheckpoint("not a checkpoint that this version reads: " + std::string(failure.what()));

@@ -230,6 +230,8 @@ void write_attribute(const Id& object, const std::string& name, const std::vecto
   check(H5Awrite(attribute.get(), type.get(), pointers.data()), "write attribute " + name);
 }
 
+bool has_attribute(const Id& object, const std::string& name) { return H5Aexists(object.get(), name.c_str()) > 0; }
+
 std::string read_text_attribute(const Id& object, const std::string& name) {
   const Id attribute(H5Aopen(object.get(), name.c_str(), H5P_DEFAULT), H5Aclose, "find attribute " + name);
   const Id type(H5Aget_type(attribute.get()), H5Tclose, "read attribute " + name);

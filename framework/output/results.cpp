@@ -43,14 +43,16 @@ ResultsWriter::ResultsWriter(Options options) : options_(std::move(options)) {}
 
 ResultsWriter ResultsWriter::create(Options options) { return resume(std::move(options), -1); }
 
-ResultsWriter ResultsWriter::resume(Options options, std::int64_t last_step) {
+ResultsWriter ResultsWriter::resume(Options options, std::int64_t last_step, const EndRecords& forgotten) {
   ResultsWriter writer(std::move(options));
   const std::filesystem::path& folder = writer.options_.folder;
   if (last_step >= 0) {
     output::StoredResults stored = output::read_results(writer.options_, "continue");
-    std::erase_if(stored.content.frames, [&](const output::FrameStamp& frame) { return frame.step > last_step; });
+    const std::int64_t last_frame = forgotten.frame ? last_step - 1 : last_step;
+    std::erase_if(stored.content.frames, [&](const output::FrameStamp& frame) { return frame.step > last_frame; });
     if (stored.content.frames.empty()) stored.content.fields.clear();
     stored.content.samples.drop_after(last_step);
+    for (const std::string& observer : forgotten.observers) stored.content.samples.drop_after(last_step - 1, observer);
     writer.content_ = std::move(stored.content);
     if (stored.layout == output::Layout::packed) {
       output::remove_frames(folder, 0);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -26,10 +27,12 @@ class MESOGEN_EXPORT ResultsWriter {
 
   /// Begins the results of a new run in a folder that holds none.
   static ResultsWriter create(Options options);
-  /// Continues results, finished ones too: drops all samples and frames later than `last_step` and keeps the rest.
-  /// With last_step < 0 nothing is kept, and results.h5 may be missing.
-  /// Throws Error(bad_case) if the folder's results cannot be read or belong to a different run.
-  static ResultsWriter resume(Options options, std::int64_t last_step);
+  /// Continues results, finished ones too: drops all samples and frames later than `last_step`, of `forgotten` also
+  /// those at that step, and keeps the rest. With last_step < 0 nothing is kept, and results.h5 may be missing. Throws
+  /// Error(bad_case) if the folder's results cannot be read or belong to a different run.
+  static ResultsWriter resume(Options options, std::int64_t last_step, const EndRecords& forgotten = {});
+  /// Are the results in a folder those of a run that has come to its end? False if they cannot be read.
+  [[nodiscard]] static bool are_finished(const std::filesystem::path& folder);
 
   /// Needed before the first sample, on resuming too. Throws Error(bad_case) if resumed samples have another shape.
   void declare_observable(const std::string& observer, const Quantity& quantity);

@@ -9,6 +9,7 @@
 
 #include "mesogen/field/view.hpp"
 #include "output/frame.hpp"
+#include "output/run_record.hpp"
 #include "output/sample_store.hpp"
 
 namespace mesogen {
@@ -24,16 +25,7 @@ struct ResultsOptions {
   std::string build;
   std::int64_t seed = 0;
   Index count = 0;  ///< particles
-};
-
-/// What a finished run took: of its last session alone, if it was resumed.
-struct RunCost {
-  std::int64_t first_step = 0;  ///< the session's; above 0 only if the run was resumed
-  std::int64_t steps = 0;
-  double wall_seconds = 0.0;  ///< of stepping with its output, without start-up
-  double cpu_seconds = 0.0;   ///< the same, of all threads
-  int threads = 0;
-  std::int64_t peak_memory = 0;  ///< resident, bytes; 0 where the system does not tell
+  std::optional<BranchOrigin> origin = std::nullopt;
 };
 
 namespace output {

@@ -1,5 +1,6 @@
 #include "mesogen/diagnostics/error.hpp"
 #include "output/frame_file.hpp"
+#include "output/results.hpp"
 #include "output/results_file.hpp"
 
 namespace mesogen::output {
@@ -106,3 +107,16 @@ void check_frames(const ResultsOptions& options, const std::vector<FrameStamp>& 
 }
 
 }  // namespace mesogen::output
+
+namespace mesogen {
+
+bool ResultsWriter::are_finished(const std::filesystem::path& folder) {
+  try {
+    const hdf5::Id file = hdf5::open_file(folder / "results.h5");
+    return hdf5::has(hdf5::open_group(file, "parameters"), "cost");
+  } catch (const hdf5::Failure&) {
+    return false;
+  }
+}
+
+}  // namespace mesogen

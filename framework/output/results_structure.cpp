@@ -5,6 +5,7 @@
 
 #include "output/frame_file.hpp"
 #include "output/results_file.hpp"
+#include "output/run_record_file.hpp"
 
 namespace mesogen::output {
 
@@ -16,16 +17,6 @@ using hdf5::Id;
 std::string author() {
   const passwd* const user = ::getpwuid(::geteuid());
   return user == nullptr || user->pw_name == nullptr ? "unknown" : user->pw_name;
-}
-
-void write_cost(const Id& parameters, const RunCost& cost) {
-  const Id group = hdf5::create_group(parameters, "cost");
-  hdf5::write_attribute(group, "first_step", cost.first_step);
-  hdf5::write_attribute(group, "steps", cost.steps);
-  hdf5::write_attribute(group, "wall_seconds", cost.wall_seconds);
-  hdf5::write_attribute(group, "cpu_seconds", cost.cpu_seconds);
-  hdf5::write_attribute(group, "threads", static_cast<std::int64_t>(cost.threads));
-  hdf5::write_attribute(group, "peak_memory", cost.peak_memory);
 }
 
 void write_header(const Id& file, const ResultsOptions& options, const std::optional<RunCost>& cost) {
@@ -41,6 +32,7 @@ void write_header(const Id& file, const ResultsOptions& options, const std::opti
   hdf5::write_text(parameters, "version", options.version);
   hdf5::write_text(parameters, "build", options.build);
   hdf5::write(parameters, "seed", {}, std::vector<std::int64_t>{options.seed});
+  if (options.origin) write_origin(parameters, *options.origin);
   if (cost) write_cost(parameters, *cost);
 }
 

@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "output/kept_checkpoints.hpp"
 #include "output/write_file.hpp"
 
 namespace mesogen {
@@ -22,7 +23,8 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::array run_files = {"case.toml",       "results.h5",      "results.xdmf",
-                                  "checkpoint_a.h5", "checkpoint_b.h5", "run.log"};
+                                  "checkpoint_a.h5", "checkpoint_b.h5", "checkpoint_before_end.h5",
+                                  "run.log"};
 
 /// 000012.h5, or 000012.h5.tmp of a frame that was never completed.
 bool is_frame(const std::string& name) {
@@ -44,6 +46,7 @@ void remove_run(const fs::path& folder) {
     remove_file(output::temporary_name(folder / name));
   }
   output::remove_frames(folder, 0);
+  remove_kept_checkpoints(folder, -1);
 }
 
 /// The folder with its case and a lock, under another name; renamed when complete.
@@ -54,12 +57,13 @@ fs::path name_before_start(const fs::path& folder) {
 /// Removes a folder that was about to start. Whoever finds it locked is not the one to remove it.
 void remove_unstarted(const fs::path& folder) {
   std::error_code ignored;
-  for (const char* name : {"case.toml", "case.toml.tmp", "mesogen.lock"}) fs::remove(folder / name, ignored);
+  for (const char* name : {"case.toml", "case.toml.tmp", "checkpoint_a.h5", "checkpoint_a.h5.tmp", "mesogen.lock"})
+    fs::remove(folder / name, ignored);
   fs::remove(folder, ignored);
 }
 
 /// Nothing if an empty folder is there already and has to be filled in place.
-std::optional<RunLock> start_new_folder(const fs::path& folder, const std::string& case_text) {
+std::optional<RunLock> start_new_folder(const fs::path& folder, const std::string& case_text, const Checkpoint* first) {
   const fs::path before = name_before_start(folder);
   std::error_code error;
   std::error_code ignored;
@@ -68,6 +72,7 @@ std::optional<RunLock> start_new_folder(const fs::path& folder, const std::strin
   if (error) throw output::system_error(ExitCode::bad_case, "make the folder", folder, error.value());
   RunLock lock(before);
   try {
+    if (first != nullptr) write_checkpoint(before, *first);
     output::write_file(before / "case.toml", case_text);
   } catch (...) {
     remove_unstarted(before);
@@ -149,11 +154,13 @@ bool belongs_to_run(const fs::path& file) {
   const bool is_run_file = name == "mesogen.lock" || std::ranges::find(run_files, name.string()) != run_files.end();
   if (is_run_file && holds_run(parent)) return true;
   for (fs::path folder = parent; folder.has_relative_path(); folder = folder.parent_path())
-    if (folder.filename() == "frames" && holds_run(folder.parent_path())) return true;
+    if ((folder.filename() == "frames" || folder.filename() == kept_checkpoints_folder) &&
+        holds_run(folder.parent_path()))
+      return true;
   return false;
 }
 
-RunLock start_run_folder(const fs::path& given, const std::string& case_text, bool overwrite) {
+RunLock start_run_folder(const fs::path& given, const std::string& case_text, bool overwrite, const Checkpoint* first) {
   const fs::path folder = (given.has_filename() ? given : given.parent_path());
   std::error_code error;
   if (fs::exists(folder, error) && !fs::is_directory(folder, error))
@@ -170,14 +177,19 @@ RunLock start_run_folder(const fs::path& given, const std::string& case_text, bo
   };
   refuse_run();
   if (!fs::exists(folder, error) || fs::is_empty(folder, error)) {
-    std::optional<RunLock> lock = start_new_folder(folder, case_text);
+    std::optional<RunLock> lock = start_new_folder(folder, case_text, first);
     if (lock) return std::move(*lock);
   }
   RunLock lock(folder);
   refuse_run();
   remove_run(folder);
+  if (first != nullptr) write_checkpoint(folder, *first);
   output::write_file(folder / "case.toml", case_text);
   return lock;
+}
+
+void replace_stored_case(const fs::path& folder, const std::string& case_text) {
+  output::write_file(folder / "case.toml", case_text);
 }
 
 std::string stored_case(const fs::path& folder) {

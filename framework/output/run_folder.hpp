@@ -5,6 +5,7 @@
 #include <string>
 
 #include "mesogen/export.hpp"
+#include "output/checkpoint.hpp"
 
 namespace mesogen {
 
@@ -33,11 +34,15 @@ MESOGEN_EXPORT bool belongs_to_run(const std::filesystem::path& file);
 
 /// Makes a folder ready for a new run and stores the resolved case in it as case.toml. A new folder appears with its
 /// case.toml or not at all, so a run killed at any moment can be resumed if its folder is there.
+/// `first`: the checkpoint that a branch starts from, which is there as soon as its case is.
 /// With `overwrite`, the files that a run writes are removed first; any other file stays.
 /// Throws Error(bad_case) if the folder holds a run and may not be overwritten, holds a case.toml that no run stored,
 /// is in use, or cannot be made.
 [[nodiscard]] MESOGEN_EXPORT RunLock start_run_folder(const std::filesystem::path& folder, const std::string& case_text,
-                                                      bool overwrite);
+                                                      bool overwrite, const Checkpoint* first = nullptr);
+
+/// Puts another case in the place of the stored one: that of a run that is extended.
+MESOGEN_EXPORT void replace_stored_case(const std::filesystem::path& folder, const std::string& case_text);
 
 /// The resolved case of the run in a folder. Throws Error(bad_case) if there is none.
 MESOGEN_EXPORT std::string stored_case(const std::filesystem::path& folder);

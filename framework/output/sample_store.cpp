@@ -32,6 +32,19 @@ std::size_t rows_of(const std::string& observer, const QuantitySeries& series, c
   return rows;
 }
 
+/// Forgets the samples later than a step.
+void drop(ObserverSeries& series, std::int64_t step) {
+  const auto last = std::ranges::upper_bound(series.steps, step);
+  const auto kept = static_cast<std::size_t>(last - series.steps.begin());
+  series.steps.resize(kept);
+  series.times.resize(kept);
+  for (auto& [name, quantity] : series.quantities) {
+    quantity.rows.resize(kept);
+    quantity.values.resize(std::accumulate(quantity.rows.begin(), quantity.rows.end(), std::size_t{0}) *
+                           quantity.columns());
+  }
+}
+
 }  // namespace
 
 std::size_t QuantitySeries::most_rows() const { return rows.empty() ? 0 : *std::ranges::max_element(rows); }
@@ -95,17 +108,11 @@ bool SampleStore::add(const std::string& observer, const Sample& sample, std::in
 }
 
 void SampleStore::drop_after(std::int64_t step) {
-  for (auto& [name, series] : observers_) {
-    const auto last = std::ranges::upper_bound(series.steps, step);
-    const auto kept = static_cast<std::size_t>(last - series.steps.begin());
-    series.steps.resize(kept);
-    series.times.resize(kept);
-    for (auto& [quantity_name, quantity] : series.quantities) {
-      quantity.rows.resize(kept);
-      quantity.values.resize(std::accumulate(quantity.rows.begin(), quantity.rows.end(), std::size_t{0}) *
-                             quantity.columns());
-    }
-  }
+  for (auto& [name, series] : observers_) drop(series, step);
+}
+
+void SampleStore::drop_after(std::int64_t step, const std::string& observer) {
+  if (const auto found = observers_.find(observer); found != observers_.end()) drop(found->second, step);
 }
 
 void SampleStore::restore(const std::string& observer, ObserverSeries series) {

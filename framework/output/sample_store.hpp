@@ -38,6 +38,8 @@ class MESOGEN_EXPORT SampleStore {
   bool add(const std::string& observer, const Sample& sample, std::int64_t step, double time);
   /// Forgets samples later than a step.
   void drop_after(std::int64_t step);
+  /// The same of one observer.
+  void drop_after(std::int64_t step, const std::string& observer);
   [[nodiscard]] const std::map<std::string, ObserverSeries>& observers() const { return observers_; }
   /// Takes over samples read from a file.
   void restore(const std::string& observer, ObserverSeries series);

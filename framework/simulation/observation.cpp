@@ -66,6 +66,7 @@ void Observation::declare(ResultsWriter& results) const {
 }
 
 void Observation::start() {
+  first_step_ = stepper_.world().step;
   for (const auto& member : stepper_.setup().observers) {
     stepper_.executor().prepare(member.fields);
     call(stepper_.world(), member, "start()",
@@ -110,16 +111,35 @@ Sample Observation::sample(std::size_t n) {
 
 void Observation::sample(const std::vector<bool>& due, const TakeSample& take) {
   const auto& members = stepper_.setup().observers;
-  if (stepper_.world().step > 0) follow();
+  if (stepper_.world().step > first_step_) follow();
   for (std::size_t n = 0; n < members.size(); ++n)
     if (due[n]) take(members[n].instance, sample(n));
 }
 
 void Observation::observe(const std::vector<bool>& due, ResultsWriter& results) {
+  if (stepper_.world().step > first_step_) follow();
+  record(due, results);
+}
+
+EndRecords Observation::record_end(ResultsWriter& results) {
+  const std::int64_t step = stepper_.world().step;
+  EndRecords records;
+  std::vector<bool> missing;
+  for (const auto& member : stepper_.setup().observers) {
+    missing.push_back(results.last_sample_step(member.instance) != step);
+    if (missing.back()) records.observers.insert(member.instance);
+  }
+  records.frame = results.last_frame_step() != step;
+  missing.push_back(records.frame);
+  record(missing, results);
+  return records;
+}
+
+void Observation::record(const std::vector<bool>& due, ResultsWriter& results) {
   const World& world = stepper_.world();
-  sample(due, [&](const std::string& observer, const Sample& sample) {
-    results.add_sample(observer, sample, world.step, world.time);
-  });
+  const auto& members = stepper_.setup().observers;
+  for (std::size_t n = 0; n < members.size(); ++n)
+    if (due[n]) results.add_sample(members[n].instance, sample(n), world.step, world.time);
   if (!due.back()) return;
   // Passes are counted as such, wherever they run.
   stepper_.executor().prepare(stepper_.setup().output_fields);

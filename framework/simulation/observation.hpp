@@ -35,6 +35,8 @@ class MESOGEN_EXPORT Observation {
   void sample(const std::vector<bool>& due, const TakeSample& take);
   /// The same for the results, and a frame if it is due.
   void observe(const std::vector<bool>& due, ResultsWriter& results);
+  /// After the last step and observe(): samples and the frame of all who have none of this state yet, and who they are.
+  EndRecords record_end(ResultsWriter& results);
 
   /// A frame of what is now.
   [[nodiscard]] std::vector<FrameField> frame();
@@ -46,7 +48,10 @@ class MESOGEN_EXPORT Observation {
   void restore(const Checkpoint& checkpoint);
 
  private:
+  void record(const std::vector<bool>& due, ResultsWriter& results);
+
   Stepper& stepper_;
+  std::int64_t first_step_ = 0;  ///< observers follow the steps after it
   std::vector<Timing> timings_;
   std::vector<Counter> sampling_;  // of each observer
   std::vector<Counter> following_;

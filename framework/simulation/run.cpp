@@ -6,14 +6,18 @@
 
 #include <algorithm>
 #include <chrono>
+#include <limits>
 
-#include "diagnostics/resources.hpp"
+#include "output/kept_checkpoints.hpp"
 #include "output/run_folder.hpp"
+#include "simulation/cost_meter.hpp"
 #include "simulation/observation.hpp"
 #include "simulation/results_options.hpp"
 #include "simulation/rounded_text.hpp"
+#include "simulation/run_session.hpp"
 #include "simulation/run_trace.hpp"
 #include "simulation/stepper.hpp"
+#include "time/kept_times.hpp"
 
 namespace mesogen {
 
@@ -33,7 +37,8 @@ class Run {
         progress_(progress),
         trace_(options.trace),
         stepper_(setup),
-        observation_(stepper_) {
+        observation_(stepper_),
+        kept_(setup.source.output.checkpoint_times, setup.source.output.checkpoint_every) {
     log_.open_file(options.folder / "run.log");
     stepper_.world().trace = trace_.trace();
     stepper_.world().times_each = options.profile || trace_.trace() != nullptr;
@@ -42,25 +47,45 @@ class Run {
   Run(const Run&) = delete;
   Run& operator=(const Run&) = delete;
 
-  ExitCode begin() { return begin(ResultsWriter::create(results_options(setup_, options_.folder))); }
+  ExitCode begin() { return begin(ResultsWriter::create(results_options())); }
 
-  /// After a kill before the first checkpoint: whatever results there are make room.
-  ExitCode begin_again() { return begin(ResultsWriter::resume(results_options(setup_, options_.folder), -1)); }
+  ExitCode begin_again() {
+    remove_kept_checkpoints(options_.folder, -1);
+    return begin(ResultsWriter::resume(results_options(), -1));
+  }
 
   ExitCode resume(const Checkpoint& checkpoint) {
     stepper_.restore(checkpoint);
+    before_ = checkpoint.cost;
+    shortened_for_ = checkpoint.shortened_for;
+    origin_ = checkpoint.origin;
+    remove_kept_checkpoints(options_.folder, checkpoint.step);
+    if (checkpoint.starts_branch) return begin_branch(checkpoint);
+    saved_step_ = checkpoint.step;
     observation_.restore(checkpoint);
-    ResultsWriter results = ResultsWriter::resume(results_options(setup_, options_.folder), checkpoint.step);
+    const EndRecords forgotten = checkpoint.time < end() ? checkpoint.end_records : EndRecords{};
+    ResultsWriter results = ResultsWriter::resume(results_options(), checkpoint.step, forgotten);
     observation_.declare(results);
     return go_on(results);
   }
 
  private:
+  ExitCode begin_branch(const Checkpoint& checkpoint) {
+    ResultsWriter results = ResultsWriter::resume(results_options(), -1);
+    observation_.declare(results);
+    // What passes make for readers is made as at the start of a run, which advances some of what a step goes on from.
+    stepper_.start();
+    observation_.start();
+    observation_.observe(everybody(), results);
+    stepper_.restore(checkpoint);
+    return go_on(results);
+  }
+
   ExitCode begin(ResultsWriter results) {
     observation_.declare(results);
     stepper_.start();
     observation_.start();
-    observation_.observe(std::vector<bool>(setup_.observers.size() + 1, true), results);
+    observation_.observe(everybody(), results);
     log_.info(fmt::format("{} particles, {} threads, {}, first step {} s (limit: {})", setup_.scene.particle_count,
                           omp_get_max_threads(), precision(), rounded_text(stepper_.next_step(next_mark()).seconds),
                           stepper_.next_step(next_mark()).limit));
@@ -70,10 +95,21 @@ class Run {
   }
 
   [[nodiscard]] double end() const { return setup_.source.time.end; }
+  /// The next time on which a step is to end wherever the run ends, s.
+  [[nodiscard]] double next_asked() {
+    const double time = stepper_.world().time;
+    return std::min(observation_.next(time), kept_.next(time));
+  }
   /// The next time on which a step is to end, s.
   [[nodiscard]] double next_mark() {
-    const double next = observation_.next(stepper_.world().time);
+    const double next = next_asked();
     return next > end() * (1.0 - 1e-12) ? end() : next;
+  }
+  [[nodiscard]] std::vector<bool> everybody() const { return std::vector<bool>(setup_.observers.size() + 1, true); }
+  [[nodiscard]] ResultsOptions results_options() const {
+    ResultsOptions results = mesogen::results_options(setup_, options_.folder);
+    results.origin = origin_;
+    return results;
   }
   [[nodiscard]] std::string precision() const {
     return setup_.scene.precision == Precision::single_precision ? "single precision" : "double precision";
@@ -89,37 +125,77 @@ class Run {
   }
   [[nodiscard]] bool stopped() const { return options_.stop != nullptr && options_.stop->load(); }
 
-  void write_checkpoint(ResultsWriter& results) {
-    const Span span(checkpoints_, trace_.trace());
-    results.flush();
+  [[nodiscard]] Checkpoint checkpoint() {
     Checkpoint checkpoint;
     checkpoint.case_text = setup_.resolved_text;
     checkpoint.version = MESOGEN_VERSION;
     checkpoint.instruction_sets = setup_.instruction_sets;
     stepper_.save(checkpoint);
     observation_.save(checkpoint);
+    checkpoint.cost = cost_.at(checkpoint.step);
+    checkpoint.shortened_for = shortened_for_;
+    checkpoint.origin = origin_;
+    return checkpoint;
+  }
+
+  void write(const Checkpoint& checkpoint, ResultsWriter& results) {
+    results.flush();
     mesogen::write_checkpoint(options_.folder, checkpoint);
     saved_step_ = checkpoint.step;
+  }
+
+  void write_checkpoint(ResultsWriter& results) {
+    const Span span(checkpoints_, trace_.trace());
+    write(checkpoint(), results);
+  }
+
+  void keep_checkpoint() {
+    const Span span(checkpoints_, trace_.trace());
+    mesogen::keep_checkpoint(options_.folder, checkpoint());
+  }
+
+  /// Before the first step that is another one only because the run ends where it does.
+  void keep_before_end(const Stepper::Step& step, ResultsWriter& results) {
+    if (shortened_for_ == end()) return;
+    const Stepper::Step longer = stepper_.next_step(next_asked());
+    if (step.seconds == longer.seconds && step.arrival == longer.arrival) return;
+    const Span span(checkpoints_, trace_.trace());
+    results.flush();
+    write_checkpoint_before_end(options_.folder, checkpoint());
+    shortened_for_ = end();
+  }
+
+  /// All look at the last state. What a longer run does not record there is written down as such, and observers are
+  /// saved as they were before.
+  void record_end(ResultsWriter& results) {
+    if (saved_step_ == stepper_.world().step) return;  // resumed from there
+    const Span span(checkpoints_, trace_.trace());
+    Checkpoint last = checkpoint();
+    last.end_records = observation_.record_end(results);
+    write(last, results);
   }
 
   ExitCode go_on(ResultsWriter& results) {
     const World& world = stepper_.world();
     tell_device();
-    write_checkpoint(results);
-    const auto begun = Clock::now();
-    const double cpu_before = cpu_seconds();
-    auto saved = begun;
+    cost_.start(world.step, before_);
+    if (saved_step_ != world.step) write_checkpoint(results);
+    auto saved = Clock::now();
     const std::int64_t first = world.step;
     shares_before_ = shares();
     progress_.start(world.time, world.step, end());
     try {
       while (world.time < end() && !stopped()) {
         const Stepper::Step step = stepper_.next_step(next_mark());
-        const auto due = observation_.due(world.time, step.arrival, world.step + 1, step.arrival >= end());
-        stepper_.advance(step, due);
+        keep_before_end(step, results);
+        const double from = world.time;
+        const bool last = step.arrival >= end();
+        const auto due = observation_.due(from, step.arrival, world.step + 1, false);
+        stepper_.advance(step, last ? everybody() : due);
         observation_.observe(due, results);
         progress_.update(world.time, world.step);
-        if (seconds_since(saved) >= setup_.source.output.checkpoint_interval) {
+        if (kept_.due(from, world.time)) keep_checkpoint();
+        if (!last && seconds_since(saved) >= setup_.source.output.checkpoint_interval) {
           write_checkpoint(results);
           saved = Clock::now();
         }
@@ -129,22 +205,18 @@ class Run {
       keep_samples(results, failure.what());
       throw;
     }
-    const double stepping = seconds_since(begun);
-    const double cpu = cpu_seconds() - cpu_before;
+    const double stepping = cost_.seconds();
+    const RunCost cost = cost_.at(world.step);
     progress_.finish(world.time, world.step);
-    // Not twice the same: the two that are kept are to be two.
-    if (saved_step_ != world.step) write_checkpoint(results);
     if (world.time < end()) {
+      // Not twice the same: the two that are kept are to be two.
+      if (saved_step_ != world.step) write_checkpoint(results);
       log_.warn(fmt::format("interrupted at t = {} s; `mesogen resume {}` continues", rounded_text(world.time),
                             options_.folder.string()));
       return ExitCode::interrupted;
     }
-    results.finish(RunCost{.first_step = first,
-                           .steps = world.step - first,
-                           .wall_seconds = stepping,
-                           .cpu_seconds = cpu,
-                           .threads = omp_get_max_threads(),
-                           .peak_memory = peak_memory()});
+    record_end(results);
+    results.finish(cost);
     report(world.step - first, stepping);
     return ExitCode::done;
   }
@@ -194,6 +266,11 @@ class Run {
   Stepper stepper_;
   Observation observation_;
   Counter checkpoints_{"output: checkpoint", "output"};
+  KeptTimes kept_;
+  CostMeter cost_;
+  RunCost before_;                       ///< of earlier sessions
+  std::optional<double> shortened_for_;  ///< see Checkpoint
+  std::optional<BranchOrigin> origin_;
   std::vector<Counter> shares_before_;
   std::int64_t saved_step_ = -1;  ///< of the last checkpoint written
 };
@@ -206,42 +283,20 @@ ExitCode run_case(Case source, const PluginRegistry& registry, const RunOptions&
   const auto setup = set_up(std::move(source), registry, problems);
   RunTrace::check(options.trace, options.folder);
   const RunLock lock = start_run_folder(options.folder, setup->resolved_text, options.overwrite);
-  return Run(*setup, options, log, progress).begin();
+  return start_session(*setup, options, log, progress);
 }
 
-ExitCode resume_run(const PluginRegistry& registry, const RunOptions& options, Log& log, Progress& progress) {
-  const std::string text = stored_case(options.folder);
-  RunTrace::check(options.trace, options.folder);
-  const RunLock lock(options.folder);
-  Problems problems;
-  Case source = read_case_text(text, (options.folder / "case.toml").string(), {}, problems);
-  const auto setup = set_up(std::move(source), registry, problems);
-  if (!has_checkpoint(options.folder)) {
-    log.info("no checkpoint was written yet: starting again from the beginning");
-    return Run(*setup, options, log, progress).begin_again();
-  }
-  std::string which;
-  std::vector<std::string> refused;
-  const Checkpoint checkpoint =
-      read_newest_checkpoint(options.folder, &which, &refused, [&](const Checkpoint& read) -> std::string {
-        if (read.version != MESOGEN_VERSION)
-          return "it was written by version " + read.version + ", this is " MESOGEN_VERSION;
-        if (read.case_text != setup->resolved_text) return "it belongs to another case than case.toml";
-        return {};
-      });
-  for (const std::string& reason : refused) log.warn(reason);
-  if (checkpoint.time >= setup->source.time.end) {
-    log.info("this run is complete: there is nothing left to compute");
-  } else {
-    log.info(
-        fmt::format("resuming from {} at t = {} s, step {}", which, rounded_text(checkpoint.time), checkpoint.step));
-    if (checkpoint.instruction_sets != setup->instruction_sets)
-      log.warn(
-          fmt::format("the run goes on, but not to the same bits: {} was written by code for other instruction sets "
-                      "({}) than this processor or MESOGEN_SIMD chooses ({})",
-                      which, checkpoint.instruction_sets, setup->instruction_sets));
-  }
-  return Run(*setup, options, log, progress).resume(checkpoint);
+ExitCode start_session(Setup& setup, const RunOptions& options, Log& log, Progress& progress) {
+  return Run(setup, options, log, progress).begin();
+}
+
+ExitCode start_session_again(Setup& setup, const RunOptions& options, Log& log, Progress& progress) {
+  return Run(setup, options, log, progress).begin_again();
+}
+
+ExitCode continue_session(Setup& setup, const Checkpoint& checkpoint, const RunOptions& options, Log& log,
+                          Progress& progress) {
+  return Run(setup, options, log, progress).resume(checkpoint);
 }
 
 }  // namespace mesogen

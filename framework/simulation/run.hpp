@@ -2,6 +2,7 @@
 
 #include <atomic>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,8 +26,20 @@ struct RunOptions {
 /// Runs a case into a new folder. Returns `done`, or `interrupted` with a checkpoint written.
 MESOGEN_EXPORT ExitCode run_case(Case source, const PluginRegistry& registry, const RunOptions& options, Log& log,
                                  Progress& progress);
-/// Continues the run in a folder from its newest valid checkpoint to the same bits as an unbroken run.
-MESOGEN_EXPORT ExitCode resume_run(const PluginRegistry& registry, const RunOptions& options, Log& log,
+/// Continues the run in a folder from its newest valid checkpoint to the same bits as an unbroken run. `changes`:
+/// overrides of the few keys that may change while a run goes on, time.end above all. A finished run that nothing
+/// changes is left as it is.
+MESOGEN_EXPORT ExitCode resume_run(const PluginRegistry& registry, const RunOptions& options,
+                                   const std::vector<std::string>& changes, Log& log, Progress& progress);
+
+/// Where a branch starts from.
+struct BranchPoint {
+  std::filesystem::path folder;  ///< of a run, which is only read
+  std::optional<double> at;      ///< time of a checkpoint, s; none: the newest
+};
+/// Starts a new run in options.folder from a checkpoint of another, with other parameters.
+MESOGEN_EXPORT ExitCode branch_run(const PluginRegistry& registry, const BranchPoint& from,
+                                   const std::vector<std::string>& changes, const RunOptions& options, Log& log,
                                    Progress& progress);
 
 }  // namespace mesogen

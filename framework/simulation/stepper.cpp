@@ -215,11 +215,13 @@ void Stepper::restore(const Checkpoint& checkpoint) {
                                           " twice, or it is none of this case: it belongs to another one");
     seen[static_cast<std::size_t>(id)] = true;
   }
+  // A branch may have other cells.
+  const bool sorted_alike = checkpoint.numbers.contains("sorted position 0");
   std::array<std::vector<double>, 3> sorted;
   for (int d = 0; d < world_.scene.dimension; ++d) {
     const std::string axis = std::to_string(d);
     put(take(checkpoint.numbers, "position " + axis), world_.particles.position[d]);
-    sorted[d] = take(checkpoint.numbers, "sorted position " + axis);
+    if (sorted_alike) sorted[d] = take(checkpoint.numbers, "sorted position " + axis);
     const auto& images = take(checkpoint.integers, "images " + axis);
     for (std::size_t i = 0; i < images.size(); ++i)
       world_.particles.images[d][i] = static_cast<std::int32_t>(images[i]);
@@ -238,7 +240,7 @@ void Stepper::restore(const Checkpoint& checkpoint) {
       std::copy(numbers.begin(), numbers.end(), numbers_of(member, kept).begin());
     }
   }
-  world_.restore_order(sorted);
+  sorted_alike ? world_.restore_order(sorted) : world_.sort_anew();
   motion_.fastest = integrator_.fastest();
   motion_.largest_acceleration = integrator_.velocity_by_passes()
                                      ? take_of(checkpoint.numbers, "largest acceleration", 1, "numbers").front()

@@ -12,9 +12,13 @@ from .errors import MesogenError, NoResults, NoSuchName, missing
 
 GROUP = "particles/fluid"
 
-# What a finished run took, of its last session alone if it was resumed (first_step > 0): steps; wall_seconds of
-# stepping, without start-up; cpu_seconds of all threads; threads; peak_memory (resident, bytes).
-Cost = namedtuple("Cost", "first_step steps wall_seconds cpu_seconds threads peak_memory")
+# What a finished run took, all sessions together: steps; sessions (above 1: it was resumed); wall_seconds of stepping,
+# without start-up; cpu_seconds of all threads; threads of the last session; peak_memory (resident, bytes).
+Cost = namedtuple("Cost", "steps sessions wall_seconds cpu_seconds threads peak_memory")
+
+# Where a branch started: the other run's folder, the checkpoint's file there, its time (s) and step, and what was changed
+# in the case, a list of "key=value".
+Origin = namedtuple("Origin", "folder checkpoint time step changes")
 
 
 def open(path):
@@ -105,6 +109,16 @@ class Run:
         """What the run took, as a Cost; None before its end."""
         group = self._file.get("parameters/cost")
         return None if group is None else Cost(*(group.attrs[name].item() for name in Cost._fields))
+
+    @property
+    def branched_from(self):
+        """Where a run that `mesogen branch` started came from, as an Origin; None if the run began at its beginning."""
+        group = self._file.get("parameters/branched_from")
+        if group is None:
+            return None
+        folder, checkpoint, changes = (text.decode() if isinstance(text, bytes) else text for text in
+                                       (group.attrs[name] for name in ("folder", "checkpoint", "changes")))
+        return Origin(folder, checkpoint, float(group.attrs["time"]), int(group.attrs["step"]), changes.splitlines())
 
     def _parameter(self, name):
         group = self._file.get("parameters")

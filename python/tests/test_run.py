@@ -157,15 +157,31 @@ class Cost(synthetic.FolderTest):
     def test_of_a_finished_run(self):
         results = synthetic.Results(self.folder)
         group = results.file.create_group("parameters/cost")
-        for name, value in (("first_step", 0), ("steps", 7), ("wall_seconds", 1.5), ("cpu_seconds", 2.5), ("threads", 2),
+        for name, value in (("steps", 7), ("sessions", 1), ("wall_seconds", 1.5), ("cpu_seconds", 2.5), ("threads", 2),
                             ("peak_memory", 3_000_000_000)):
             group.attrs[name] = value
         with mesogen.open(results.close()) as run:
-            self.assertEqual(run.cost, (0, 7, 1.5, 2.5, 2, 3_000_000_000))
+            self.assertEqual(run.cost, (7, 1, 1.5, 2.5, 2, 3_000_000_000))
 
     def test_before_the_end(self):
         with mesogen.open(synthetic.Results(self.folder).close()) as run:
             self.assertIsNone(run.cost)
+
+
+class BranchedFrom(synthetic.FolderTest):
+    def test_of_a_branch(self):
+        results = synthetic.Results(self.folder)
+        group = results.file.create_group("parameters/branched_from")
+        for name, value in (("folder", "/runs/a"), ("checkpoint", "checkpoint_a.h5"), ("time", 1.5), ("step", 30),
+                            ("changes", "time.end=2.0\ntitle=other")):
+            group.attrs[name] = value
+        with mesogen.open(results.close()) as run:
+            self.assertEqual(run.branched_from,
+                             ("/runs/a", "checkpoint_a.h5", 1.5, 30, ["time.end=2.0", "title=other"]))
+
+    def test_of_another_run(self):
+        with mesogen.open(synthetic.Results(self.folder).close()) as run:
+            self.assertIsNone(run.branched_from)
 
 
 if __name__ == "__main__":

@@ -148,6 +148,9 @@ class Sweep(SweepTest):
         os.remove(self.path("out", "runs.csv"))
         for letter in "ab":
             self.write("nothing", "out", "runs", "activity_0.05-seed_1", f"checkpoint_{letter}.h5")
+        third = self.path("out", "runs", "activity_0.05-seed_1", "checkpoint_before_end.h5")
+        if os.path.exists(third):  # where the end is no time asked for
+            os.remove(third)
         _, err = self.sweep()
         self.assertRegex(err, r"activity_0\.05-seed_1: done, [\d.]+ s\n")
         self.assertRegex(err, r"activity_-0\.05-seed_1: done, \S+ s, gone on with from its checkpoint\n")

@@ -102,7 +102,7 @@ def cancelled(sweeps):
     resumed = 0
     for name in os.listdir(os.path.join(sweeps.folder, "long", "runs")):
         with h5py.File(os.path.join(sweeps.folder, "long", "runs", name, "results.h5"), "r") as file:
-            resumed += int(file["parameters/cost"].attrs["first_step"] > 0)
+            resumed += int(file["parameters/cost"].attrs["sessions"] > 1)
     assert resumed >= 2, f"only {resumed} runs went on from a checkpoint"
     last = told.split(": ")[1].split(";")[0]
     print(f"cancelled twice, with {left[0]} and {left[1]} runs begun, then {last}; {resumed} of all went on from "

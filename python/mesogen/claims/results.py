@@ -93,12 +93,10 @@ class Results:
 
 
 def whole_cost(finished):
-    """(steps, seconds of processor time) of a run. What was spent before it was gone on with is not on record: it is taken
-    to have been as fast. NaN seconds if the last session took no step."""
+    """(steps, seconds of processor time) of a run."""
     with finished.open() as run:
         cost = run.cost
-    steps = cost.first_step + cost.steps
-    return steps, cost.cpu_seconds * steps / cost.steps if cost.steps else math.nan
+    return cost.steps, cost.cpu_seconds
 
 
 class NothingThere(MesogenError):

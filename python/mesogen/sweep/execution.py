@@ -85,5 +85,5 @@ class Attempt:
             except MesogenError as error:
                 raise StudyError(f"{self.records.sweep.file}: {error}") from error
             row |= {"wall_seconds": cost.wall_seconds, "cpu_seconds": cost.cpu_seconds,
-                    "steps": cost.first_step + cost.steps, "peak_memory": cost.peak_memory}
+                    "steps": cost.steps, "peak_memory": cost.peak_memory}
         return row

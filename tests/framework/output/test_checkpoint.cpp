@@ -28,6 +28,12 @@ Checkpoint checkpoint_at(std::int64_t step) {
   checkpoint.integers["id"] = {5, std::numeric_limits<std::int64_t>::min(), 3};
   checkpoint.observers["paths"]["distance"] = {1.0, 2.0};
   checkpoint.observers["flow"] = {};
+  checkpoint.cost = {
+      .steps = 17, .sessions = 2, .wall_seconds = 1.5, .cpu_seconds = 3.0, .threads = 2, .peak_memory = 9};
+  checkpoint.end_records = {.observers = {"flow", "paths"}, .frame = true};
+  checkpoint.shortened_for = 0.3;
+  checkpoint.origin = BranchOrigin{"/runs/first", "checkpoint_a.h5", 0.25, 4, {"title=\"a\"", "time.end=2"}};
+  checkpoint.starts_branch = true;
   return checkpoint;
 }
 
@@ -62,6 +68,19 @@ TEST(Checkpoints, AlternateBetweenTwoFiles) {
                 step - 1);
     }
   }
+}
+
+TEST(Checkpoints, KeepTheOneBeforeTheEndBesideTheTwo) {
+  const TemporaryFolder folder;
+  write_checkpoint(folder.path(), checkpoint_at(10));
+  write_checkpoint_before_end(folder.path(), checkpoint_at(20));
+  EXPECT_EQ(read_newest_checkpoint(folder.path()).step, 20);
+  for (const std::int64_t step : {21, 22, 23}) write_checkpoint(folder.path(), checkpoint_at(step));
+  EXPECT_EQ(read_newest_checkpoint(folder.path()).step, 23);
+  std::string which;
+  const auto older = [](const Checkpoint& one) { return one.step > 20 ? "too late" : ""; };
+  EXPECT_EQ(read_newest_checkpoint(folder.path(), &which, nullptr, older).step, 20);
+  EXPECT_EQ(which, "checkpoint_before_end.h5");
 }
 
 TEST(Checkpoints, ContinueToAlternateFromAnOlderOne) {

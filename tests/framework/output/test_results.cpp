@@ -69,8 +69,8 @@ TEST(Results, TellWhatTheRunTookOnceItIsFinished) {
   advance(writer, 0, 4);
   writer.flush();
   EXPECT_EQ(H5Lexists(Reader(folder.path() / "results.h5").file(), "parameters/cost", H5P_DEFAULT), 0);
-  writer.finish(RunCost{.first_step = 2,
-                        .steps = 3,
+  writer.finish(RunCost{.steps = 3,
+                        .sessions = 2,
                         .wall_seconds = 1.5,
                         .cpu_seconds = 2.25,
                         .threads = 2,
@@ -83,8 +83,8 @@ TEST(Results, TellWhatTheRunTookOnceItIsFinished) {
     H5Aclose(attribute);
     return value;
   };
-  EXPECT_EQ(number("first_step"), 2.0);
   EXPECT_EQ(number("steps"), 3.0);
+  EXPECT_EQ(number("sessions"), 2.0);
   EXPECT_EQ(number("wall_seconds"), 1.5);
   EXPECT_EQ(number("cpu_seconds"), 2.25);
   EXPECT_EQ(number("threads"), 2.0);

@@ -38,6 +38,27 @@ TEST(ResumedResults, AreTheBytesOfAnUnbrokenRun) {
   }
 }
 
+TEST(ResumedResults, ForgetWhatWasRecordedOnlyBecauseTheRunEnded) {
+  const TemporaryFolder folder;
+  {
+    ResultsWriter writer = ResultsWriter::create(options_in(folder.path()));
+    declare(writer);
+    advance(writer, 0, 4);
+    EXPECT_FALSE(ResultsWriter::are_finished(folder.path()));
+    writer.finish(RunCost{});
+    EXPECT_TRUE(ResultsWriter::are_finished(folder.path()));
+  }
+  {
+    const ResultsWriter writer =
+        ResultsWriter::resume(options_in(folder.path()), 4, {.observers = {"flow"}, .frame = true});
+    EXPECT_EQ(writer.last_frame_step(), 2);
+    EXPECT_EQ(writer.last_sample_step("flow"), 3);
+    EXPECT_EQ(writer.last_sample_step("defects"), 4);
+    EXPECT_FALSE(ResultsWriter::are_finished(folder.path()));
+  }
+  EXPECT_EQ(expect_valid(folder.path()), 2U);
+}
+
 TEST(ResumedResults, MayHaveBeenFinished) {
   const std::string expected = unbroken();
   for (const std::int64_t step : {0, 5, 12}) {

@@ -1,0 +1,60 @@
+#include <iostream>
+#include <memory>
+
+#include "interrupt.hpp"
+#include "options.hpp"
+#include "simulation/run.hpp"
+#include "verbs.hpp"
+
+namespace mesogen::app {
+
+namespace {
+
+struct Options {
+  std::string folder;
+  std::string output;
+  std::optional<double> at;
+  std::vector<std::string> changes;
+  bool overwrite = false;
+  PluginFolders plugin_folders;
+  RunningOptions running;
+};
+
+ExitCode branch(const Options& options) {
+  use_threads(options.running);
+  const auto registry = load_plugins(options.plugin_folders, options.running.quiet);
+  RunOptions run;
+  run.folder = options.output;
+  run.overwrite = options.overwrite;
+  run.profile = options.running.profile;
+  run.trace = options.running.trace;
+  run.stop = &stop_on_signal();
+  Log log(options.running.quiet);
+  Progress progress(std::cerr, Progress::style_for(2, options.running.quiet));
+  return branch_run(registry, {options.folder, options.at}, options.changes, run, log, progress);
+}
+
+}  // namespace
+
+void add_branch(CLI::App& command, Action& action) {
+  const auto options = std::make_shared<Options>();
+  auto* const verb = command.add_subcommand(
+      "branch", "Start a new run from a checkpoint of another, with other parameters; the other is only read");
+  verb->add_option("folder", options->folder, "Folder of the run to branch from")->type_name("DIR")->required();
+  verb->add_option("new", options->output, "Folder for the new run")->type_name("NEW")->required();
+  verb->add_option("--at", options->at,
+                   "Simulated time of the checkpoint, s (default: the newest); output.checkpoint_times and "
+                   "output.checkpoint_every keep some for this")
+      ->type_name("TIME");
+  verb->add_option("--set", options->changes,
+                   "Change a key of the case from there on; may be repeated. All may change but domain.size, "
+                   "particles, the initial conditions (director, velocity, colour) and which fields are advanced")
+      ->type_name("KEY=VALUE")
+      ->allow_extra_args(false);
+  verb->add_flag("--overwrite", options->overwrite, "Remove the run that NEW holds first");
+  add_plugin_path(*verb, options->plugin_folders);
+  add_running(*verb, options->running);
+  verb->callback([&action, options] { action = [options] { return branch(*options); }; });
+}
+
+}  // namespace mesogen::app

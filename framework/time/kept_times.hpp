@@ -1,0 +1,27 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "mesogen/export.hpp"
+#include "time/timing.hpp"
+
+namespace mesogen {
+
+/// The simulated times at which a checkpoint is kept for good. Without memory: a resumed run keeps the same.
+class MESOGEN_EXPORT KeptTimes {
+ public:
+  /// s; `every` adds its multiples.
+  KeptTimes(std::vector<double> times, std::optional<double> every);
+
+  /// The first after `time`, s; infinite if there is none.
+  [[nodiscard]] double next(double time) const;
+  /// Does the step from `from` to `to` (s) reach one?
+  [[nodiscard]] bool due(double from, double to) const;
+
+ private:
+  std::vector<double> times_;  // ascending
+  Timing every_;
+};
+
+}  // namespace mesogen
