@@ -9,6 +9,7 @@
 
 #include "diagnostics/resources.hpp"
 #include "output/run_folder.hpp"
+#include "plugin/crash.hpp"
 #include "simulation/observation.hpp"
 #include "simulation/results_options.hpp"
 #include "simulation/rounded_text.hpp"
@@ -33,7 +34,10 @@ class Run {
         progress_(progress),
         trace_(options.trace),
         stepper_(setup),
-        observation_(stepper_) {
+        observation_(stepper_),
+        crash_(stepper_.world().step, stepper_.world().time) {
+    crash_.advise(fmt::format("no checkpoint was written yet: `mesogen resume {}` starts again from the beginning",
+                              options_.folder.string()));
     log_.open_file(options.folder / "run.log");
     stepper_.world().trace = trace_.trace();
     stepper_.world().times_each = options.profile || trace_.trace() != nullptr;
@@ -48,6 +52,10 @@ class Run {
   ExitCode begin_again() { return begin(ResultsWriter::resume(results_options(setup_, options_.folder), -1)); }
 
   ExitCode resume(const Checkpoint& checkpoint) {
+    advise_to_resume(checkpoint);
+    // Observers start where the run did; what they kept since then replaces that.
+    stepper_.start();
+    observation_.start();
     stepper_.restore(checkpoint);
     observation_.restore(checkpoint);
     ResultsWriter results = ResultsWriter::resume(results_options(setup_, options_.folder), checkpoint.step);
@@ -95,6 +103,14 @@ class Run {
     observation_.save(checkpoint);
     mesogen::write_checkpoint(options_.folder, checkpoint);
     saved_step_ = checkpoint.step;
+    advise_to_resume(checkpoint);
+  }
+
+  void advise_to_resume(const Checkpoint& checkpoint) {
+    crash_.advise(
+        fmt::format("the checkpoint of step {}, t = {} s is kept: once the plugin is mended, `mesogen resume "
+                    "{}` goes on from there",
+                    checkpoint.step, rounded_text(checkpoint.time), options_.folder.string()));
   }
 
   ExitCode go_on(ResultsWriter& results) {
@@ -191,6 +207,7 @@ class Run {
   RunTrace trace_;
   Stepper stepper_;
   Observation observation_;
+  CrashAdvice crash_;
   Counter checkpoints_{"output: checkpoint", "output"};
   std::vector<Counter> shares_before_;
   std::int64_t saved_step_ = -1;  ///< of the last checkpoint written
