@@ -46,6 +46,7 @@ ContractRun::ContractRun(PluginKind kind, std::string name, const ContractSettin
   std::shared_ptr<void> owner;
   const ParameterList list = parameters_of(kind_, name_, registry_, owner);
   keys_ = keys_of(kind_, name_, list, settings);
+  owner.reset();
   attempt("it can be put into a scene", [&] { require_constants(kind_, name_, keys_, registry_, settings); });
 }
 

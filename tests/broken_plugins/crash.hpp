@@ -21,6 +21,7 @@ inline std::string_view asked(const char* variable) {
 // What the compiler must not see through.
 inline int* volatile nowhere = nullptr;
 inline volatile int zero = 0;
+inline volatile int one = 1;
 
 [[gnu::noinline]] inline int descend(int depth) {
   volatile char room[4096];
@@ -32,7 +33,7 @@ inline volatile int zero = 0;
   const auto how = asked("CRASH_BY");
   if (how == "null") *nowhere = 1;
   if (how == "overflow") zero = descend(0);
-  if (how == "division") zero = 1 / zero;
+  if (how == "division") zero = one / zero;
   if (how == "illegal") __builtin_trap();
   if (how == "abort") std::abort();
   if (how == "bus") std::raise(SIGBUS);
