@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <string>
+#include <vector>
 
 #include "mesogen/exec/compensated_sum.hpp"
 #include "mesogen/plugin/by_id.hpp"
