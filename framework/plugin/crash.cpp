@@ -13,14 +13,19 @@
 #include "mesogen/diagnostics/error.hpp"
 #include "plugin/call_text.hpp"
 
+// A sanitizer that reports signals itself keeps them; any sanitizer may end the process.
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 #define MESOGEN_SANITIZER_REPORTS
+#define MESOGEN_SANITIZER
 #elif defined(__has_feature)
 #if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
 #define MESOGEN_SANITIZER_REPORTS
 #endif
+#if defined(MESOGEN_SANITIZER_REPORTS) || __has_feature(undefined_behavior_sanitizer)
+#define MESOGEN_SANITIZER
 #endif
-#ifdef MESOGEN_SANITIZER_REPORTS
+#endif
+#ifdef MESOGEN_SANITIZER
 #include <sanitizer/common_interface_defs.h>
 #endif
 
@@ -35,7 +40,13 @@ const CallUnderWay* const* innermost_of_main_thread = nullptr;
 std::atomic_flag told = ATOMIC_FLAG_INIT;
 bool on_terminal = false;
 
+#ifdef MESOGEN_SANITIZER_REPORTS
+constexpr bool sanitizer_reports = true;
+constexpr std::array crashes = {SIGABRT, SIGALRM};
+#else
+constexpr bool sanitizer_reports = false;
 constexpr std::array crashes = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGALRM};
+#endif
 constexpr std::size_t signal_stack_size = 64UL * 1024UL;
 
 void put(std::string_view text) {
@@ -81,8 +92,6 @@ void tell(std::string_view what) {
   put(known->text());
   put("\n");
 }
-
-#ifndef MESOGEN_SANITIZER_REPORTS
 
 /// Did this access go just beyond the end of the thread's stack?
 bool is_stack_overflow(const siginfo_t& info, const void* context) {
@@ -147,7 +156,10 @@ class SignalStack {
   void* memory_;
 };
 
-void use_signal_stack() { thread_local const SignalStack stack; }
+void use_signal_stack() {
+  if (sanitizer_reports) return;
+  thread_local const SignalStack stack;
+}
 
 void install() {
   use_signal_stack();
@@ -156,19 +168,13 @@ void install() {
   action.sa_flags = SA_SIGINFO | SA_ONSTACK;
   ::sigemptyset(&action.sa_mask);
   for (const int signal : crashes) ::sigaction(signal, &action, nullptr);
-}
-
-#else
-
-void use_signal_stack() {}
-
-void install() {
+#ifdef MESOGEN_SANITIZER
   __sanitizer_set_death_callback([] {
     if (!told.test_and_set()) tell(" crashed: see the report above");
+    std::signal(SIGABRT, SIG_DFL);  // it may end so
   });
-}
-
 #endif
+}
 
 void on_exit_within_plugin() {
   if (calls_under_way() == nullptr) return;

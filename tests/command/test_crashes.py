@@ -85,7 +85,7 @@ class InARun(CrashTest):
         for by in ("null", "overflow"):
             err = self.crashes("particle", "run", case, "--output", by, "--threads", "3", by=by)
             self.assert_told(err, who, BY[by][1])
-            self.assertEqual(err.count("error: "), 1, err)
+            self.assertEqual(len(re.findall("(?m)^error: ", err)), 1, err)
 
     def test_calls_of_an_observer(self):
         case = self.write_case(WITH_OBSERVER)
