@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <unistd.h>
 
 #include <csignal>
 #include <exception>
@@ -10,6 +11,7 @@
 
 #include "case/nearest.hpp"
 #include "diagnostics/version.hpp"
+#include "plugin/crash.hpp"
 #include "verbs.hpp"
 
 namespace {
@@ -53,6 +55,7 @@ int main(int count, char** arguments) {
   using namespace mesogen;
   // Beyond a limit on the size of files (ulimit -f) writing is to fail with an error, not to end the process.
   std::signal(SIGXFSZ, SIG_IGN);
+  tell_of_crashes(STDERR_FILENO);
   try {
     CLI::App command("Mesogen: active nematics by smoothed particle hydrodynamics", "mesogen");
     command.set_version_flag("--version", fmt::format("mesogen {} ({})", version(), build_text()));

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <omp.h>
 
+#include "plugin/crash.hpp"
+
 namespace mesogen::app {
 
 void add_plugin_path(CLI::App& verb, PluginFolders& folders) {
@@ -59,6 +61,7 @@ void add_running(CLI::App& verb, RunningOptions& options) {
 
 void use_threads(const RunningOptions& options) {
   if (options.threads > 0) omp_set_num_threads(options.threads);
+  tell_of_crashes_in_threads();
 }
 
 }  // namespace mesogen::app

@@ -21,6 +21,7 @@ struct Options {
   std::vector<std::string> values;
   std::vector<std::string> constants;
   PluginFolders folders;
+  unsigned seconds = 200;
 };
 
 /// KEY=VALUE
@@ -76,10 +77,10 @@ std::vector<const LoadedPlugin*> chosen(const PluginRegistry& registry, const Op
                           did_you_mean(options.plugin, names)));
 }
 
-bool report(const LoadedPlugin& plugin, const testing::ContractSettings& settings) {
+bool report(const LoadedPlugin& plugin, const testing::ContractSettings& settings, unsigned seconds) {
   using Outcome = testing::ContractCheck::Outcome;
   const auto& descriptor = *plugin.descriptor;
-  const auto checks = testing::check_contract(descriptor.kind, descriptor.name, settings);
+  const auto checks = testing::check_contract_apart(descriptor.kind, descriptor.name, settings, seconds);
   fmt::print("{} {} {}: {}\n", to_string(descriptor.kind), descriptor.name, descriptor.version, plugin.file.string());
   std::size_t broken = 0;
   for (const auto& check : checks) {
@@ -104,7 +105,7 @@ ExitCode check(Options options) {
   const auto registry = load_plugins(options.folders, true, file ? Twins::first_folder : Twins::refused);
   const auto settings = settings_of(options);
   bool held = true;
-  for (const auto* plugin : chosen(registry, options, file)) held = report(*plugin, settings) && held;
+  for (const auto* plugin : chosen(registry, options, file)) held = report(*plugin, settings, options.seconds) && held;
   return held ? ExitCode::done : ExitCode::run_failed;
 }
 
@@ -122,6 +123,10 @@ void add_plugin_check(CLI::App& plugin, Action& action) {
   verb->add_option("--constant", options->constants, "A number that another plugin of a case would publish")
       ->type_name("NAME=NUMBER")
       ->allow_extra_args(false);
+  verb->add_option("--time-limit", options->seconds,
+                   "Seconds that one check may take; it fails if the plugin is not back by then (default: 200)")
+      ->type_name("SECONDS")
+      ->check(CLI::Range(1, 86400));
   add_plugin_path(*verb, options->folders);
   verb->callback([&action, options] { action = [options] { return check(*options); }; });
 }

@@ -8,12 +8,17 @@ namespace mesogen::testing {
 
 namespace {
 
-/// Particles of a scene in which nothing but this move happens.
-PluginHarness moved(const ContractRun& run, bool start) {
+/// A scene in which nothing happens by itself.
+PluginHarness at_start(const ContractRun& run) {
   TestScene scene;
   scene.step = 1e-3;
-  PluginHarness harness = run.harness(scene);
-  if (start) harness.step(2);
+  return run.harness(scene);
+}
+
+/// Particles that moved after some steps.
+PluginHarness moved(const ContractRun& run) {
+  PluginHarness harness = at_start(run);
+  harness.step(2);
   harness.move([](double, double y) { return 0.3 * y; }, [](double, double) { return 0.1; });
   return harness;
 }
@@ -43,7 +48,7 @@ void check_observer(ContractRun& run) {
     return {};
   });
   const auto sampled = [&](int threads) {
-    return with_threads(threads, [&] { return numbers_of(moved(run, true).sample()); });
+    return with_threads(threads, [&] { return numbers_of(moved(run).sample()); });
   };
   run.check("the same input gives the same bits, again and with 3 threads", [&]() -> std::string {
     const Numbers first = sampled(1);
@@ -53,19 +58,18 @@ void check_observer(ContractRun& run) {
     return problem.empty() ? "" : problem + " (with 3 threads): sum in one order, such as by particle id";
   });
   run.check("it records the same however the particles are stored", [&]() -> std::string {
-    PluginHarness harness = moved(run, true);
+    PluginHarness harness = moved(run);
     harness.shuffle(7);
     const Numbers shuffled = with_threads(1, [&] { return numbers_of(harness.sample()); });
     const std::string problem = difference(sampled(1), shuffled, 1e-9);
     return problem.empty() ? "" : problem + " with another order of storage: go by id, see mesogen/plugin/by_id.hpp";
   });
   run.check("a resumed run records the same as an unbroken one", [&]() -> std::string {
-    PluginHarness first = moved(run, true);
-    const auto saved = first.observer().save();
-    PluginHarness second = moved(run, false);
-    second.restore(saved, first.time());
+    PluginHarness first = moved(run);
+    PluginHarness second = at_start(run);
+    second.resume_from(first);
     const std::string problem = difference(numbers_of(first.sample()), numbers_of(second.sample()));
-    return problem.empty() ? "" : problem + " after restore(): keep in save() all that it remembers";
+    return problem.empty() ? "" : problem + " after restore(): keep in save() all that it has gathered since start()";
   });
 }
 

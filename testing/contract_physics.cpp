@@ -107,6 +107,16 @@ void check_physics(ContractRun& run) {
     if (problem.empty()) return {};
     return problem + " (with 3 threads): let each particle write only what is its own, and sum with sph::pair_sum";
   });
+  run.check("a resumed run goes on to the same bits as an unbroken one", [&]() -> std::string {
+    PluginHarness first = run.harness(small_steps(run));
+    first.step(2);
+    PluginHarness second = run.harness(small_steps(run));
+    second.resume_from(first);
+    first.step(2);
+    second.step(2);
+    const std::string problem = difference(numbers_of(first), numbers_of(second));
+    return problem.empty() ? "" : problem + " after a resume: name what passes bring from step to step, by keep()";
+  });
   run.check("single precision agrees with double", [&]() -> std::string {
     const auto rates = [&](Precision precision) {
       TestScene scene;

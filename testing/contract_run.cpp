@@ -9,6 +9,7 @@
 #include <regex>
 
 #include "contract_settings.hpp"
+#include "plugin/plugin_call.hpp"
 #include "test_registry.hpp"
 
 namespace mesogen::testing {
@@ -19,7 +20,7 @@ ParameterList parameters_of(PluginKind kind, const std::string& name, const Plug
                             std::shared_ptr<void>& owner) {
   ParameterList list;
   const auto take = [&](auto plugin) {
-    plugin->parameters(list);
+    call_plugin(name, "parameters()", [&] { plugin->parameters(list); });
     owner = std::shared_ptr<void>(std::move(plugin));
   };
   switch (kind) {
@@ -33,16 +34,25 @@ ParameterList parameters_of(PluginKind kind, const std::string& name, const Plug
 
 }  // namespace
 
-ContractRun::ContractRun(PluginKind kind, std::string name, const ContractSettings& settings)
-    : kind_(kind), name_(std::move(name)), settings_(settings), registry_(registry_of(settings.folders)) {
+ContractRun::ContractRun(PluginKind kind, std::string name, const ContractSettings& settings,
+                         const ContractWatch& watch)
+    : kind_(kind),
+      name_(std::move(name)),
+      settings_(settings),
+      registry_(registry_of(settings.folders)),
+      watch_(watch) {
   if (registry_.find(kind_, name_) == nullptr) throw registry_.missing(kind_, name_);
+  watch_.begun("it can be made, and names its parameters");
   std::shared_ptr<void> owner;
   const ParameterList list = parameters_of(kind_, name_, registry_, owner);
   keys_ = keys_of(kind_, name_, list, settings);
-  require_constants(kind_, name_, keys_, registry_, settings);
+  owner.reset();
+  attempt("it can be put into a scene", [&] { require_constants(kind_, name_, keys_, registry_, settings); });
 }
 
 void ContractRun::check(const std::string& what, const std::function<std::string()>& action) {
+  if (watch_.done.contains(what)) return;
+  watch_.begun(what);
   std::string problem;
   try {
     problem = action();
@@ -50,9 +60,20 @@ void ContractRun::check(const std::string& what, const std::function<std::string
     problem = error.what();
   }
   checks_.push_back({what, problem.empty() ? ContractCheck::Outcome::held : ContractCheck::Outcome::broken, problem});
+  watch_.ended(checks_.back());
 }
 
-void ContractRun::note(const std::string& text) { checks_.push_back({text, ContractCheck::Outcome::note, {}}); }
+void ContractRun::note(const std::string& text) {
+  if (watch_.done.contains(text)) return;
+  checks_.push_back({text, ContractCheck::Outcome::note, {}});
+  watch_.ended(checks_.back());
+}
+
+void ContractRun::attempt(const std::string& what, const std::function<void()>& action) {
+  if (watch_.done.contains(what)) return;
+  watch_.begun(what);
+  action();
+}
 
 PluginHarness ContractRun::harness(TestScene scene) const {
   scene.constants.insert(settings_.constants.begin(), settings_.constants.end());
@@ -98,7 +119,12 @@ void ContractRun::check_parameters(const ParameterList& list) {
 }
 
 std::vector<ContractCheck> check_contract(PluginKind kind, std::string_view name, const ContractSettings& settings) {
-  ContractRun run(kind, std::string(name), settings);
+  return check_contract(kind, name, settings, ContractWatch());
+}
+
+std::vector<ContractCheck> check_contract(PluginKind kind, std::string_view name, const ContractSettings& settings,
+                                          const ContractWatch& watch) {
+  ContractRun run(kind, std::string(name), settings, watch);
   run.check_descriptor();
   std::shared_ptr<void> owner;
   run.check_parameters(parameters_of(kind, run.name(), run.registry(), owner));

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "mesogen/testing/contract.hpp"
+#include "contract_watch.hpp"
 #include "mesogen/testing/plugin_harness.hpp"
 #include "plugin/registry.hpp"
 
@@ -16,11 +16,14 @@ using Numbers = std::map<std::string, std::vector<double>>;
 /// The checks of one plugin, as they come.
 class ContractRun {
  public:
-  ContractRun(PluginKind kind, std::string name, const ContractSettings& settings);
+  /// All of these must outlive it.
+  ContractRun(PluginKind kind, std::string name, const ContractSettings& settings, const ContractWatch& watch);
 
   /// `action` throws Error, or returns what is wrong; an empty text if nothing is.
   void check(const std::string& what, const std::function<std::string()>& action);
   void note(const std::string& text);
+  /// Does something that no check is about, unless the plugin ended the process with it before.
+  void attempt(const std::string& what, const std::function<void()>& action);
 
   /// The plugin in a scene, with the values of its parameters.
   [[nodiscard]] PluginHarness harness(TestScene scene = {}) const;
@@ -36,6 +39,7 @@ class ContractRun {
   std::string name_;
   const ContractSettings& settings_;
   const PluginRegistry& registry_;
+  const ContractWatch& watch_;
   std::string keys_;
   std::vector<ContractCheck> checks_;
 };

@@ -10,6 +10,7 @@
 #include "case/case.hpp"
 #include "case/toml_text.hpp"
 #include "mesogen/testing/plugin_harness.hpp"
+#include "plugin/plugin_call.hpp"
 #include "scene_text.hpp"
 
 namespace mesogen::testing {
@@ -73,8 +74,8 @@ std::set<std::string> published(const PluginRegistry& registry) {
     try {
       const auto physics = registry.make_physics(name, Precision::double_precision, 2);
       ParameterList list;
-      physics->parameters(list);
-      physics->constants(constants);
+      call_plugin(name, "parameters()", [&] { physics->parameters(list); });
+      call_plugin(name, "constants()", [&] { physics->constants(constants); });
     } catch (const std::exception&) {
       // What is wrong with another plugin is not asked here.
     }

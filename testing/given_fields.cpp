@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <set>
 
+#include "plugin/plugin_call.hpp"
 #include "schedule/derived_name.hpp"
 
 namespace mesogen::testing {
@@ -141,10 +142,11 @@ FieldDeclaration SceneCompletion::known(const std::string& field) const {
   for (const auto& plugin : registry_.all()) {
     if (plugin.descriptor->kind != PluginKind::physics) continue;
     PassList list;
-    const auto physics = registry_.make_physics(plugin.descriptor->name, Precision::double_precision, 2);
+    const std::string_view name = plugin.descriptor->name;
+    const auto physics = registry_.make_physics(name, Precision::double_precision, 2);
     ParameterList parameters;
-    physics->parameters(parameters);
-    physics->passes(list);
+    call_plugin(name, "parameters()", [&] { physics->parameters(parameters); });
+    call_plugin(name, "passes()", [&] { physics->passes(list); });
     for (const FieldDeclaration& declared : list.fields())
       if (declared.name == field) return declaration(field, declared.rank, declared.unit_text);
   }

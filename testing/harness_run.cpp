@@ -92,10 +92,20 @@ void HarnessRun::start() {
 }
 
 void HarnessRun::restore(const std::map<std::string, std::vector<double>>& saved, double time) {
-  started_ = touched = true;
-  stepper_.start();
+  start();
   stepper_.world().time = time;
-  setup_->observers.front().plugin->restore(saved);
+  Checkpoint checkpoint;
+  checkpoint.observers[setup_->observers.front().instance] = saved;
+  observation_.restore(checkpoint);
+}
+
+void HarnessRun::resume_from(HarnessRun& other) {
+  start();
+  Checkpoint checkpoint;
+  other.stepper_.save(checkpoint);
+  other.observation_.save(checkpoint);
+  stepper_.restore(checkpoint);
+  observation_.restore(checkpoint);
 }
 
 void HarnessRun::step(double end) {

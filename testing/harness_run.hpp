@@ -22,6 +22,7 @@ class HarnessRun {
   bool set(const std::string& field, const GivenField& given);
   void seed(std::int64_t seed);
   void start();
+  void resume_from(HarnessRun& other);
   void restore(const std::map<std::string, std::vector<double>>& saved, double time);
   /// At most to `end` (s).
   void step(double end);

@@ -167,6 +167,10 @@ PluginHarness::Quantities PluginHarness::sample() {
   return implementation_->running().sample(implementation_->shuffled_by());
 }
 
+void PluginHarness::resume_from(PluginHarness& other) {
+  implementation_->running().resume_from(other.implementation_->running());
+}
+
 void PluginHarness::restore(const std::map<std::string, std::vector<double>>& saved, double time) {
   (void)observer();
   implementation_->run().restore(saved, time);

@@ -9,6 +9,7 @@
 #include <system_error>
 
 #include "plugin/library_file.hpp"
+#include "plugin/plugin_call.hpp"
 
 namespace mesogen::plugin {
 
@@ -59,7 +60,11 @@ LoadResult load(const std::filesystem::path& file) {
       dll::load_mode::rtld_now | dll::load_mode::rtld_local | static_cast<dll::load_mode::type>(RTLD_NODELETE);
   dll::shared_library library;
   std::error_code error;
-  library.load(file, error, mode);
+  {
+    const PluginCall loading{.plugin = file.native(), .call = "loading"};
+    const CallUnderWay under_way(loading);  // constructors of its static objects run
+    library.load(file, error, mode);
+  }
   if (!library.is_loaded()) {
     const char* reason = dlerror();
     return {nullptr, fmt::format("the dynamic linker refuses it: {}", reason != nullptr ? reason : error.message())};

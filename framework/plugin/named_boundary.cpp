@@ -13,11 +13,7 @@ namespace {
 
 template <class Action>
 auto told(const std::string& plugin, const char* call, ExitCode code, Action&& action) -> decltype(action()) {
-  try {
-    return action();
-  } catch (...) {
-    rethrow_of_plugin(call_text(plugin, call), code);
-  }
+  return call_plugin(PluginCall{.plugin = plugin, .call = call}, code, std::forward<Action>(action));
 }
 
 [[noreturn]] void refuse(const std::string& what) { throw Error(ExitCode::plugin_refused, what); }

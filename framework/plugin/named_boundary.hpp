@@ -1,18 +1,19 @@
 #pragma once
 
-#include <memory>
 #include <string>
 
 #include "mesogen/plugin/boundary.hpp"
+#include "plugin/plugin_pointer.hpp"
 
 namespace mesogen {
 
 /// A boundary plugin that says its name: whatever one of its functions throws comes out as an Error that names the
-/// plugin and the function. `run_failed` where it is called while a case runs, `plugin_refused` before. What it gives
-/// is checked here: copies of particles that there are, dummies beyond the faces, numbers that are finite.
+/// plugin and the function; likewise a crash. `run_failed` where it is called while a case runs, `plugin_refused`
+/// before. What it gives is checked here: copies of particles that there are, dummies beyond the faces, numbers that
+/// are finite.
 class NamedBoundary final : public Boundary {
  public:
-  NamedBoundary(std::string name, std::unique_ptr<Boundary> plugin)
+  NamedBoundary(std::string name, PluginPointer<Boundary> plugin)
       : name_(std::move(name)), plugin_(std::move(plugin)) {}
 
   void parameters(ParameterList& list) override;
@@ -30,7 +31,7 @@ class NamedBoundary final : public Boundary {
 
  private:
   std::string name_;
-  std::unique_ptr<Boundary> plugin_;
+  PluginPointer<Boundary> plugin_;
 };
 
 }  // namespace mesogen

@@ -1,12 +1,21 @@
 #include "plugin/plugin_call.hpp"
 
-#include <fmt/format.h>
-
 #include <new>
+
+#include "plugin/call_text.hpp"
 
 namespace mesogen {
 
-void rethrow_of_plugin(const std::string& where, ExitCode code) {
+constinit thread_local const CallUnderWay* CallUnderWay::innermost = nullptr;
+
+std::string call_text(const PluginCall& call) {
+  std::string text;
+  write_call(call, [&](std::string_view piece) { text += piece; });
+  return text;
+}
+
+void rethrow_of_plugin(const PluginCall& call, ExitCode code) {
+  const std::string where = call_text(call);
   try {
     throw;
   } catch (const Error& error) {
@@ -18,15 +27,6 @@ void rethrow_of_plugin(const std::string& where, ExitCode code) {
   } catch (...) {
     throw Error(code, where + " failed: it threw something that is no std::exception");
   }
-}
-
-std::string call_text(std::string_view plugin, std::string_view call) {
-  return fmt::format("plugin \"{}\", {}", plugin, call);
-}
-
-std::string call_text(std::string_view instance, std::string_view plugin, std::string_view call, std::int64_t step,
-                      double time) {
-  return fmt::format("{} (plugin \"{}\"), {} at step {}, t = {:.6g} s", instance, plugin, call, step, time);
 }
 
 }  // namespace mesogen

@@ -166,39 +166,42 @@ std::vector<std::string> PluginRegistry::paths() const {
   return paths;
 }
 
-void* PluginRegistry::create(PluginKind kind, std::string_view name, Precision precision, int dimension) const {
-  const auto* plugin = find(kind, name);
-  if (plugin == nullptr) throw missing(kind, name);
-  return create(*plugin->descriptor, precision, dimension);
-}
+namespace {
 
-void* PluginRegistry::create(const PluginDescriptor& descriptor, Precision precision, int dimension) const {
+/// A new object of a plugin whose kind is that of Base.
+template <class Base>
+PluginPointer<Base> create(const PluginDescriptor& descriptor, Precision precision, int dimension) {
   void* object = call_plugin(descriptor.name, "constructor", [&] { return descriptor.create(precision, dimension); });
   if (object == nullptr)
     throw Error(ExitCode::bad_case, fmt::format("the {} plugin \"{}\" has no form for {} dimensions in {} precision",
                                                 to_string(descriptor.kind), descriptor.name, dimension,
                                                 precision == Precision::single_precision ? "single" : "double"));
-  return object;
+  return {static_cast<Base*>(object), DeletePlugin{descriptor.name}};
 }
 
-std::unique_ptr<Kernel> PluginRegistry::make_kernel(std::string_view name) const {
-  return std::unique_ptr<Kernel>(
-      static_cast<Kernel*>(create(PluginKind::kernel, name, Precision::double_precision, 2)));
+}  // namespace
+
+const PluginDescriptor& PluginRegistry::descriptor(PluginKind kind, std::string_view name) const {
+  const auto* plugin = find(kind, name);
+  if (plugin == nullptr) throw missing(kind, name);
+  return *plugin->descriptor;
+}
+
+PluginPointer<Kernel> PluginRegistry::make_kernel(std::string_view name) const {
+  return create<Kernel>(descriptor(PluginKind::kernel, name), Precision::double_precision, 2);
 }
 
 std::unique_ptr<Boundary> PluginRegistry::make_boundary(std::string_view name) const {
-  return std::make_unique<NamedBoundary>(std::string(name),
-                                         std::unique_ptr<Boundary>(static_cast<Boundary*>(
-                                             create(PluginKind::boundary, name, Precision::double_precision, 2))));
+  return std::make_unique<NamedBoundary>(
+      std::string(name), create<Boundary>(descriptor(PluginKind::boundary, name), Precision::double_precision, 2));
 }
 
-std::unique_ptr<Observer> PluginRegistry::make_observer(std::string_view name) const {
-  return std::unique_ptr<Observer>(
-      static_cast<Observer*>(create(PluginKind::observer, name, Precision::double_precision, 2)));
+PluginPointer<Observer> PluginRegistry::make_observer(std::string_view name) const {
+  return create<Observer>(descriptor(PluginKind::observer, name), Precision::double_precision, 2);
 }
 
-std::unique_ptr<Physics> PluginRegistry::make_physics(std::string_view name, Precision precision, int dimension) const {
-  return std::unique_ptr<Physics>(static_cast<Physics*>(create(PluginKind::physics, name, precision, dimension)));
+PluginPointer<Physics> PluginRegistry::make_physics(std::string_view name, Precision precision, int dimension) const {
+  return create<Physics>(descriptor(PluginKind::physics, name), precision, dimension);
 }
 
 bool PluginRegistry::has_cuda(std::string_view physics) const {
@@ -228,11 +231,11 @@ PluginRegistry::CudaTwin PluginRegistry::cuda_twin(std::string_view physics) con
 
 std::string PluginRegistry::cuda_problem(std::string_view physics) const { return cuda_twin(physics).problem; }
 
-std::unique_ptr<Physics> PluginRegistry::make_physics_for_cuda(std::string_view name, Precision precision,
-                                                               int dimension) const {
+PluginPointer<Physics> PluginRegistry::make_physics_for_cuda(std::string_view name, Precision precision,
+                                                             int dimension) const {
   const CudaTwin twin = cuda_twin(name);
   if (twin.descriptor == nullptr) throw Error(ExitCode::plugin_refused, twin.problem);
-  return std::unique_ptr<Physics>(static_cast<Physics*>(create(*twin.descriptor, precision, dimension)));
+  return create<Physics>(*twin.descriptor, precision, dimension);
 }
 
 }  // namespace mesogen

@@ -12,6 +12,7 @@
 #include "mesogen/plugin/kernel.hpp"
 #include "mesogen/plugin/observer.hpp"
 #include "mesogen/plugin/physics.hpp"
+#include "plugin/plugin_pointer.hpp"
 
 namespace mesogen {
 
@@ -62,17 +63,17 @@ class MESOGEN_EXPORT PluginRegistry {
   [[nodiscard]] Error missing(PluginKind kind, std::string_view name) const;
 
   /// A new object each. Throw missing(), and Error if the plugin has no form for this precision and dimension.
-  [[nodiscard]] std::unique_ptr<Kernel> make_kernel(std::string_view name) const;
+  [[nodiscard]] PluginPointer<Kernel> make_kernel(std::string_view name) const;
   [[nodiscard]] std::unique_ptr<Boundary> make_boundary(std::string_view name) const;
-  [[nodiscard]] std::unique_ptr<Observer> make_observer(std::string_view name) const;
-  [[nodiscard]] std::unique_ptr<Physics> make_physics(std::string_view name, Precision precision, int dimension) const;
+  [[nodiscard]] PluginPointer<Observer> make_observer(std::string_view name) const;
+  [[nodiscard]] PluginPointer<Physics> make_physics(std::string_view name, Precision precision, int dimension) const;
   /// Has a physics plugin a library for CUDA?
   [[nodiscard]] bool has_cuda(std::string_view physics) const;
   /// Loads that library: why it cannot be used; empty if it can.
   [[nodiscard]] std::string cuda_problem(std::string_view physics) const;
   /// The same from the plugin's library for CUDA, which it must have.
-  [[nodiscard]] std::unique_ptr<Physics> make_physics_for_cuda(std::string_view name, Precision precision,
-                                                               int dimension) const;
+  [[nodiscard]] PluginPointer<Physics> make_physics_for_cuda(std::string_view name, Precision precision,
+                                                             int dimension) const;
 
  private:
   [[nodiscard]] std::vector<std::string> paths() const;
@@ -84,8 +85,7 @@ class MESOGEN_EXPORT PluginRegistry {
     std::string problem;
   };
   [[nodiscard]] CudaTwin cuda_twin(std::string_view physics) const;
-  void* create(PluginKind kind, std::string_view name, Precision precision, int dimension) const;
-  void* create(const PluginDescriptor& descriptor, Precision precision, int dimension) const;
+  [[nodiscard]] const PluginDescriptor& descriptor(PluginKind kind, std::string_view name) const;
 
   std::vector<std::filesystem::path> folders_;  // canonical, each searched once
   std::vector<LoadedPlugin> plugins_;

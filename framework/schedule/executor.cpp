@@ -142,13 +142,16 @@ void Executor::run(Work& work) {
   }
   if (!work.on_device) world_.backend.finish();
   const Span span(work.counter, world_.trace);
-  try {
+  const PluginCall call{.plugin = work.plugin,
+                        .call = "pass",
+                        .subject = work.pass.name,
+                        .instance = work.owner,
+                        .step = &world_.step,
+                        .time = &world_.time};
+  call_plugin(call, ExitCode::run_failed, [&] {
     work.pass.body(WorkContext(world_, work));
     world_.end_of_work();
-  } catch (...) {
-    rethrow_of_plugin(call_text(work.owner, work.plugin, "pass \"" + work.pass.name + "\"", world_.step, world_.time),
-                      ExitCode::run_failed);
-  }
+  });
   for (const std::string& field : work.pass.write_list)
     if (Field* const written = world_.fields.find(field)) ++written->version;
   for (const std::string& field : work.pass.accumulate_list) ++world_.fields.at(field).version;

@@ -41,12 +41,13 @@ class DeclaredView final : public WorldView {
 
 template <class Action>
 void call(const World& world, const Setup::ObserverMember& member, const char* name, Action&& action) {
-  try {
-    action();
-  } catch (...) {
-    rethrow_of_plugin(call_text("observers." + member.instance, member.type, name, world.step, world.time),
-                      ExitCode::run_failed);
-  }
+  const PluginCall call{.plugin = member.type,
+                        .call = name,
+                        .section = "observers.",
+                        .instance = member.instance,
+                        .step = &world.step,
+                        .time = &world.time};
+  call_plugin(call, ExitCode::run_failed, std::forward<Action>(action));
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 
 #include "output/kept_checkpoints.hpp"
 #include "output/run_folder.hpp"
+#include "plugin/crash.hpp"
 #include "simulation/cost_meter.hpp"
 #include "simulation/observation.hpp"
 #include "simulation/results_options.hpp"
@@ -38,7 +39,10 @@ class Run {
         trace_(options.trace),
         stepper_(setup),
         observation_(stepper_),
-        kept_(setup.source.output.checkpoint_times, setup.source.output.checkpoint_every) {
+        kept_(setup.source.output.checkpoint_times, setup.source.output.checkpoint_every),
+        crash_(stepper_.world().step, stepper_.world().time) {
+    crash_.advise(fmt::format("no checkpoint was written yet: `mesogen resume {}` starts again from the beginning",
+                              options_.folder.string()));
     log_.open_file(options.folder / "run.log");
     stepper_.world().trace = trace_.trace();
     stepper_.world().times_each = options.profile || trace_.trace() != nullptr;
@@ -55,12 +59,16 @@ class Run {
   }
 
   ExitCode resume(const Checkpoint& checkpoint) {
-    stepper_.restore(checkpoint);
+    advise_to_resume(checkpoint);
     before_ = checkpoint.cost;
     shortened_for_ = checkpoint.shortened_for;
     origin_ = checkpoint.origin;
     remove_kept_checkpoints(options_.folder, checkpoint.step);
     if (checkpoint.starts_branch) return begin_branch(checkpoint);
+    // Observers start where the run did; what they kept since then replaces that.
+    stepper_.start();
+    observation_.start();
+    stepper_.restore(checkpoint);
     saved_step_ = checkpoint.step;
     observation_.restore(checkpoint);
     const EndRecords forgotten = checkpoint.time < end() ? checkpoint.end_records : EndRecords{};
@@ -71,6 +79,7 @@ class Run {
 
  private:
   ExitCode begin_branch(const Checkpoint& checkpoint) {
+    stepper_.restore(checkpoint);
     ResultsWriter results = ResultsWriter::resume(results_options(), -1);
     observation_.declare(results);
     // What passes make for readers is made as at the start of a run, which advances some of what a step goes on from.
@@ -142,6 +151,14 @@ class Run {
     results.flush();
     mesogen::write_checkpoint(options_.folder, checkpoint);
     saved_step_ = checkpoint.step;
+    advise_to_resume(checkpoint);
+  }
+
+  void advise_to_resume(const Checkpoint& checkpoint) {
+    crash_.advise(
+        fmt::format("the checkpoint of step {}, t = {} s is kept: once the plugin is mended, `mesogen resume "
+                    "{}` goes on from there",
+                    checkpoint.step, rounded_text(checkpoint.time), options_.folder.string()));
   }
 
   void write_checkpoint(ResultsWriter& results) {
@@ -265,6 +282,7 @@ class Run {
   RunTrace trace_;
   Stepper stepper_;
   Observation observation_;
+  CrashAdvice crash_;
   Counter checkpoints_{"output: checkpoint", "output"};
   KeptTimes kept_;
   CostMeter cost_;

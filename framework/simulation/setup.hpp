@@ -21,14 +21,14 @@ namespace mesogen {
 struct MESOGEN_EXPORT Setup {
   struct PhysicsMember {
     std::string instance;  ///< "physics.flow"
-    std::unique_ptr<Physics> plugin;
+    PluginPointer<Physics> plugin;
     PassList passes;
     std::string type;        ///< "wcsph"
     bool on_device = false;  ///< its passes run on the backend's device
   };
   struct ObserverMember {
     std::string instance;  ///< "flow"
-    std::unique_ptr<Observer> plugin;
+    PluginPointer<Observer> plugin;
     ObserverPlan plan;
     ObserverTiming timing;
     std::vector<std::string> fields;  ///< what it reads of what the scene has
@@ -40,7 +40,7 @@ struct MESOGEN_EXPORT Setup {
   Case source;
   const Backend* backend = &Backend::host();  ///< where it runs
   std::string why_on_host;                    ///< where a device would have been taken, had it been possible
-  std::unique_ptr<Kernel> kernel;
+  PluginPointer<Kernel> kernel;
   std::unique_ptr<Boundary> boundary;
   std::vector<PhysicsMember> physics;
   std::vector<ObserverMember> observers;

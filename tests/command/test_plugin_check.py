@@ -96,6 +96,8 @@ class PluginCheck(CommandTest):
         same = "the same input gives the same bits, again and with 3 threads"
         self.assertRegex(self.check("physics", "leftover")[same], "something is left over from another run")
         self.assert_fails("physics", "threads", same, r"\(with 3 threads\): let each particle write only what is its own")
+        self.assert_fails("physics", "memory", "a resumed run goes on to the same bits as an unbroken one",
+                          r"after a resume: name what passes bring from step to step, by keep\(\)")
         self.assert_fails("physics", "overflow", "single precision agrees with double",
                           "in single precision: a number is too large or too small for float")
 
@@ -117,7 +119,7 @@ class PluginCheck(CommandTest):
         self.assert_fails("observer", "order", "it records the same however the particles are stored",
                           "with another order of storage: go by id")
         self.assert_fails("observer", "memory", "a resumed run records the same as an unbroken one",
-                          r"after restore\(\): keep in save\(\) all that it remembers")
+                          r"after restore\(\): keep in save\(\) all that it has gathered since start\(\)")
 
     def test_values_that_others_give(self):
         out, err = self.mesogen("plugin", "check", "elastic_stress", code=2)

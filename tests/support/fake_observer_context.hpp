@@ -180,7 +180,7 @@ class ObserverUnderTest {
   }
 
  private:
-  std::unique_ptr<Observer> observer_;
+  PluginPointer<Observer> observer_;
   ParameterList parameters_;
   ObserverPlan plan_;
 };

@@ -98,7 +98,7 @@ class PhysicsUnderTest {
     throw std::invalid_argument("no parameter " + key);
   }
 
-  std::unique_ptr<Physics> plugin_;
+  PluginPointer<Physics> plugin_;
   ParameterList parameters_;
   PassList passes_;
 };

@@ -15,7 +15,7 @@ class Unfit final : public Physics {
   void parameters(ParameterList& list) override {
     list.text("fault", fault_)
         .choices({"none", "undeclared_read", "undeclared_write", "optional", "not_finite", "leftover", "threads",
-                  "overflow", "limit", "nameless", "no_body", "no_doc", "twins", "idle"})
+                  "overflow", "limit", "memory", "nameless", "no_body", "no_doc", "twins", "idle"})
         .doc("what is wrong");
   }
 
@@ -44,14 +44,17 @@ class Unfit final : public Physics {
       if (fault_ == "not_finite" && context.id()[i] == 17) value = std::numeric_limits<Real>::quiet_NaN();
       if (fault_ == "leftover") value += Real(runs_);
       if (fault_ == "threads") value += Real(omp_get_max_threads());
+      if (fault_ == "memory") value += Real(own_runs_);
       if (fault_ == "overflow") value *= Real(1e30) * Real(1e30);
       unfit(i) = value;
     }
     ++runs_;
+    ++own_runs_;
   }
 
   std::string fault_ = "none";
   static inline int runs_ = 0;
+  int own_runs_ = 0;
 };
 
 }  // namespace

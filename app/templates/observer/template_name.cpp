@@ -1,6 +1,10 @@
-// The mean speed <|u|> of the particles.
+// The mean speed <|u|> of the particles, and the highest that it has been.
 
+#include <algorithm>
 #include <cmath>
+#include <map>
+#include <string>
+#include <vector>
 
 #include "mesogen/exec/compensated_sum.hpp"
 #include "mesogen/plugin/by_id.hpp"
@@ -18,6 +22,7 @@ class TemplateNamePlugin final : public Observer {
   void plan(const Scene&, ObserverPlan& plan) override {
     plan.reads("velocity");
     plan.scalar("mean_speed").unit("m/s").doc("mean of |u|");
+    plan.scalar("highest").unit("m/s").doc("highest mean speed of all samples so far");
   }
 
   // Summed by particle id, because the order of storage changes during a run: so the sum always has the same bits.
@@ -27,10 +32,23 @@ class TemplateNamePlugin final : public Observer {
     const auto v = particles.values("velocity", 1);
     exec::CompensatedSum sum;
     for (std::size_t i = 0; i < u.size(); ++i) sum.add(std::hypot(u[i], v[i]));
-    sample.set("mean_speed", sum.value() / static_cast<double>(u.size()));
+    const double mean = sum.value() / static_cast<double>(u.size());
+    highest_ = std::max(highest_, mean);
+    sample.set("mean_speed", mean);
+    sample.set("highest", highest_);
   }
+
+  // What it gathers from sample to sample goes into checkpoints: otherwise a resumed run begins without it. An observer
+  // that keeps nothing needs neither function.
+  [[nodiscard]] std::map<std::string, std::vector<double>> save() const override { return {{"highest", {highest_}}}; }
+  void restore(const std::map<std::string, std::vector<double>>& saved) override {
+    highest_ = saved.at("highest").at(0);
+  }
+
+ private:
+  double highest_ = 0.0;
 };
 
 }  // namespace
 
-MESOGEN_OBSERVER_PLUGIN(TemplateNamePlugin, "template_name", "1.0.0", "Mean speed of the particles")
+MESOGEN_OBSERVER_PLUGIN(TemplateNamePlugin, "template_name", "1.0.0", "Mean speed of the particles, and its highest")

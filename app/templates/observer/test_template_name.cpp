@@ -20,4 +20,18 @@ TEST(TemplateName, IsAMeanOverTheParticles) {
   EXPECT_NEAR(plugin.sample().at("mean_speed").at(0), 1.0, 1e-12);
 }
 
+// The same in a run that is resumed in between: what was gathered goes on.
+TEST(TemplateName, RemembersTheHighestInAResumedRun) {
+  PluginHarness first(PluginKind::observer, "template_name");
+  first.set("velocity", {3.0, -4.0});
+  first.sample();
+  PluginHarness resumed(PluginKind::observer, "template_name");
+  resumed.set("velocity", {0.0, 0.0});
+  resumed.resume_from(first);
+  resumed.set("velocity", {0.0, 1.0});
+  const auto sample = resumed.sample();
+  EXPECT_NEAR(sample.at("mean_speed").at(0), 1.0, 1e-12);
+  EXPECT_NEAR(sample.at("highest").at(0), 5.0, 1e-12);
+}
+
 }  // namespace

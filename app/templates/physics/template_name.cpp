@@ -34,6 +34,12 @@ class TemplateNamePlugin final : public Physics {
   }
 
   // A force that grows with velocity or gradients also overrides step_limits(): see plugins/physics/friction.
+  //
+  // Fields that are advanced in time are saved in checkpoints. Numbers of its own that a pass changes, and needs again
+  // at the next step, are saved if passes() names them; otherwise a resumed run begins without them:
+  //
+  //     std::vector<double> memory_ = {0.0};
+  //     list.keep("memory", 1, [this] { return std::span(memory_); });    // and .advances_what_is_kept() of that pass
 
  private:
   double force_ = 0.0;

@@ -111,12 +111,14 @@ class MESOGEN_EXPORT Observer {
 
   virtual void parameters(ParameterList& list);
   virtual void plan(const Scene& scene, ObserverPlan& plan) = 0;
-  /// Called once before the first sample of a run (not when a run is resumed).
+  /// Called before the first sample, with the state that the run begins with. When a run is resumed it is called with
+  /// that same state, then restore(): what is found here need not be saved, what is gathered later must be.
   virtual void start(const ObserverContext& context);
   virtual void sample(const ObserverContext& context, Sample& sample) = 0;
   /// After every step, if the plan asked for it. Positions and fields that are advanced in time can be read then.
   virtual void follow(const ObserverContext& context);
-  /// What it must remember to continue a run, as named lists of numbers; kept in checkpoints.
+  /// What it has gathered since start() and must remember to continue a run, as named lists of numbers; kept in
+  /// checkpoints. Without save() and restore(), a resumed run forgets what sample() and follow() have noted.
   [[nodiscard]] virtual std::map<std::string, std::vector<double>> save() const;
   virtual void restore(const std::map<std::string, std::vector<double>>& saved);
 };

@@ -35,4 +35,10 @@ struct ContractSettings {
 MESOGEN_EXPORT std::vector<ContractCheck> check_contract(PluginKind kind, std::string_view name,
                                                          const ContractSettings& settings = {});
 
+/// The same in a process of its own, so that a plugin that crashes, ends the process or takes longer than so many
+/// seconds over one check breaks that check alone: the others go on in another process. To be called before anything
+/// has run in parallel in this one, since its threads are not in the other.
+MESOGEN_EXPORT std::vector<ContractCheck> check_contract_apart(PluginKind kind, std::string_view name,
+                                                               const ContractSettings& settings, unsigned seconds);
+
 }  // namespace mesogen::testing

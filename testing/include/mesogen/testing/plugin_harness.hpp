@@ -90,7 +90,9 @@ class MESOGEN_EXPORT PluginHarness {
   void run_until(double seconds);
   /// What the observer records now: exactly the quantities of its plan, each of whole rows.
   Quantities sample();
-  /// In place of start(), as when a run is resumed: what the observer's save() gave in another scene, and its time, s.
+  /// Goes on where another harness of the same scene stands, by a checkpoint of that, as `mesogen resume` does.
+  void resume_from(PluginHarness& other);
+  /// Of that, what concerns the observer: start(), then what its save() gave in another scene, and its time, s.
   void restore(const std::map<std::string, std::vector<double>>& saved, double time);
 
   [[nodiscard]] std::vector<double> values(std::string_view field, int component = 0);

@@ -1,0 +1,48 @@
+// A force that is none. See crash.hpp.
+#include "crash.hpp"
+#include "mesogen/plugin/physics.hpp"
+#include "mesogen/plugin/plugin.hpp"
+
+namespace {
+
+using namespace mesogen;
+
+const struct Loaded {
+  Loaded() { crash::in("loading"); }
+} loaded;
+
+template <class Real, int Dim>
+class Crashing final : public Physics {
+ public:
+  Crashing() { crash::in("constructor"); }
+  ~Crashing() override { crash::in("destructor"); }
+  void parameters(ParameterList& list) override {
+    crash::in("parameters()");
+    list.number("after", after_).unit("s").at_least(0.0).doc("crashes only from this time on");
+  }
+  void scales(Scales&) const override { crash::in("scales()"); }
+  void constants(Constants&) const override { crash::in("constants()"); }
+  void prepare(const Scene&) override { crash::in("prepare()"); }
+  void step_limits(const Scene&, StepLimits&) const override { crash::in("step_limits()"); }
+  [[nodiscard]] double memory() const override {
+    crash::in("memory()");
+    return 0.0;
+  }
+  void suggest(const Scene&, const StepLimits&, std::vector<Suggestion>&) const override { crash::in("suggest()"); }
+  void passes(PassList& list) override {
+    crash::in("passes()");
+    list.pass("work").reads({"velocity"}).accumulates({"acceleration"}).run([this](const PassContext& context) {
+      if (context.time() < after_) return;
+      crash::in("pass");
+      // In whichever threads come to it.
+      exec::for_each(context.space(), context.count(), [](Index) { crash::in("particle"); });
+    });
+  }
+
+ private:
+  double after_ = 0.0;
+};
+
+}  // namespace
+
+MESOGEN_PHYSICS_PLUGIN(Crashing, "crashing", "1.0.0", "Crashes when it is told to")
