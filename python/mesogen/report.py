@@ -82,15 +82,18 @@ def main(arguments=None):
     )
     parser.add_argument("folder", metavar="DIR", help="folder of a run, as given to 'mesogen run --output'")
     which = parser.add_mutually_exclusive_group()
-    which.add_argument("--frame", type=int, default=-1, help="frame to draw; negative: from the end (default: last)")
+    which.add_argument("--frame", type=int, help="frame to draw; negative: from the end (default: last)")
     which.add_argument("--frames", type=_span, metavar="A:B",
                        help="draw frames A to B, both included; A or B may be left out, negative: from the end")
     parser.add_argument("--every", type=_count, metavar="N", help="draw each N-th frame, of all or of --frames")
     parser.add_argument("--output", metavar="DIR", help="folder for the pictures (default: DIR/report)")
     options = parser.parse_args(arguments)
+    if options.frame is not None and options.every is not None:
+        parser.error("argument --every: not allowed with argument --frame")
+    frame = -1 if options.frame is None else options.frame
     told = set()
     try:
-        for file, reason in report(options.folder, options.frame, options.output, options.frames, options.every):
+        for file, reason in report(options.folder, frame, options.output, options.frames, options.every):
             if reason is None:
                 print(f"wrote {file}", flush=True)
             elif reason not in told:  # once for all frames

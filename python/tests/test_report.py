@@ -92,7 +92,8 @@ class Pictures(synthetic.FolderTest):
             code, _, err = call(self.folder, *options)
             self.assertEqual(code, 2)
             self.assertTrue(err.startswith(f"error: {text}"), err)
-        for options in (("--frames", "3"), ("--frames", "a:b"), ("--every", "0"), ("--frame", "1", "--frames", "0:1")):
+        for options in (("--frames", "3"), ("--frames", "a:b"), ("--every", "0"), ("--frame", "1", "--frames", "0:1"),
+                        ("--frame", "1", "--every", "2")):
             with self.assertRaises(SystemExit) as refused, contextlib.redirect_stderr(io.StringIO()):
                 report.main([self.folder, *options])
             self.assertEqual(refused.exception.code, 2)
