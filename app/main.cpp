@@ -28,7 +28,7 @@ int tell(ExitCode code, const std::string& text) {
   return static_cast<int>(code);
 }
 
-/// No verb, or `plugin` and `field` without theirs: the help of what was given.
+/// No verb, or `plugin`, `field` and `quantity` without theirs: the help of what was given.
 ExitCode explain(const CLI::App& command) {
   const auto given = command.get_subcommands();
   fmt::print(stderr, "{}", given.empty() ? command.help() : given.front()->help(command.get_name()));
@@ -70,6 +70,7 @@ int main(int count, char** arguments) {
     app::add_graph(command, action);
     app::add_plugin(command, action);
     app::add_field(command, action);
+    app::add_quantity(command, action);
     app::add_schema(command, action);
     app::add_reference(command, action);
     app::add_report(command, action);

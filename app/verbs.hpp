@@ -21,6 +21,7 @@ void add_plugin(CLI::App& command, Action& action);
 void add_plugin_new(CLI::App& plugin, Action& action);
 void add_plugin_check(CLI::App& plugin, Action& action);
 void add_field(CLI::App& command, Action& action);
+void add_quantity(CLI::App& command, Action& action);
 void add_schema(CLI::App& command, Action& action);
 void add_reference(CLI::App& command, Action& action);
 void add_report(CLI::App& command, Action& action);

@@ -110,8 +110,12 @@ class Counted {
 
   [[nodiscard]] double frame(bool in_memory) const {
     double bytes = axes_ * (exact + (in_memory ? exact : 4.0));  // position, image
-    for (const std::string& name : setup_.output_fields)
+    for (const std::string& name : setup_.output_fields) {
       bytes += setup_.catalogue.components(name) * (in_memory ? exact : number_);
+      // Made of it for ParaView: a component of the tensor, and the director in single precision.
+      if (!in_memory && setup_.catalogue.rank(name) == Rank::order_tensor) bytes += number_;
+      if (!in_memory && name == "order_tensor") bytes += 2.0 * 4.0;
+    }
     return particles_ * bytes;
   }
 

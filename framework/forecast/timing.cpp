@@ -98,7 +98,7 @@ class Rehearsal {
 
   void observe(const std::vector<bool>& due) {
     observation_.sample(due, [](const std::string&, const Sample&) {});
-    if (due.back()) (void)output::encode_frame(observation_.frame(), {});
+    if (due.back()) (void)output::encode_frame(observation_.frame(), {}, setup_.scene.dimension);
   }
 
   Setup& setup_;

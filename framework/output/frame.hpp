@@ -3,10 +3,12 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "mesogen/export.hpp"
+#include "mesogen/field/rank.hpp"
 
 namespace mesogen {
 
@@ -20,6 +22,7 @@ struct FrameField {
   int components = 1;
   std::vector<double> values;  ///< particles x components, row by row
   NumberType type = NumberType::float64;
+  std::optional<Rank> rank = {};  ///< what the components mean, where that is known
 };
 
 namespace output {
@@ -30,6 +33,7 @@ struct FieldShape {
   std::string unit;
   int components = 1;
   NumberType type = NumberType::float64;
+  std::optional<Rank> rank = {};
 
   bool operator==(const FieldShape&) const = default;
 };
@@ -46,11 +50,11 @@ struct FrameStamp {
 MESOGEN_EXPORT std::string frame_name(std::size_t number);
 
 /// The bytes of a frame's file.
-std::vector<std::byte> encode_frame(const std::vector<FrameField>& fields, const FrameStamp& stamp);
+std::vector<std::byte> encode_frame(const std::vector<FrameField>& fields, const FrameStamp& stamp, int dimension);
 
 /// Writes a frame to a file of its own; on disk when it returns.
 MESOGEN_EXPORT void write_frame(const std::filesystem::path& file, const std::vector<FrameField>& fields,
-                                const FrameStamp& stamp);
+                                const FrameStamp& stamp, int dimension);
 
 }  // namespace output
 }  // namespace mesogen

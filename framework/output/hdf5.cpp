@@ -1,5 +1,6 @@
 #include "output/hdf5.hpp"
 
+#include <algorithm>
 #include <atomic>
 #include <cstdint>
 #include <string>
@@ -54,6 +55,19 @@ Id text_type() {
   check(H5Tset_size(type.get(), H5T_VARIABLE), "make a text type");
   check(H5Tset_cset(type.get(), H5T_CSET_UTF8), "make a text type");
   return type;
+}
+
+/// Of so many bytes; a shorter text is filled up with zeros.
+Id fixed_text_type(std::size_t size, bool ascii) {
+  Id type(H5Tcopy(H5T_C_S1), H5Tclose, "make a text type");
+  check(H5Tset_size(type.get(), std::max<std::size_t>(1, size)), "make a text type");
+  check(H5Tset_strpad(type.get(), H5T_STR_NULLPAD), "make a text type");
+  check(H5Tset_cset(type.get(), ascii ? H5T_CSET_ASCII : H5T_CSET_UTF8), "make a text type");
+  return type;
+}
+
+bool is_ascii(const std::string& text) {
+  return std::ranges::none_of(text, [](char c) { return (static_cast<unsigned char>(c) & 0x80U) != 0; });
 }
 
 /// Reads one text of any length; `read` fills a char* as HDF5 allocates it.
@@ -212,22 +226,22 @@ std::string read_text(const Id& parent, const std::string& name) {
 
 void write_attribute(const Id& object, const std::string& name, const std::string& text) {
   const Id space(H5Screate(H5S_SCALAR), H5Sclose, "make a dataspace");
-  const Id type = text_type();
+  const Id type = fixed_text_type(text.size(), is_ascii(text));
   const Id attribute(H5Acreate2(object.get(), name.c_str(), type.get(), space.get(), H5P_DEFAULT, H5P_DEFAULT),
                      H5Aclose, "create attribute " + name);
-  const char* pointer = text.c_str();
-  check(H5Awrite(attribute.get(), type.get(), &pointer), "write attribute " + name);
+  check(H5Awrite(attribute.get(), type.get(), text.c_str()), "write attribute " + name);
 }
 
 void write_attribute(const Id& object, const std::string& name, const std::vector<std::string>& texts) {
+  std::size_t size = 1;
+  for (const std::string& text : texts) size = std::max(size, text.size());
+  std::string bytes;
+  for (const std::string& text : texts) bytes += text + std::string(size - text.size(), '\0');
   const Id space = dataspace({texts.size()});
-  const Id type = text_type();
+  const Id type = fixed_text_type(size, is_ascii(bytes));
   const Id attribute(H5Acreate2(object.get(), name.c_str(), type.get(), space.get(), H5P_DEFAULT, H5P_DEFAULT),
                      H5Aclose, "create attribute " + name);
-  std::vector<const char*> pointers;
-  pointers.reserve(texts.size());
-  for (const std::string& text : texts) pointers.push_back(text.c_str());
-  check(H5Awrite(attribute.get(), type.get(), pointers.data()), "write attribute " + name);
+  check(H5Awrite(attribute.get(), type.get(), bytes.data()), "write attribute " + name);
 }
 
 bool has_attribute(const Id& object, const std::string& name) { return H5Aexists(object.get(), name.c_str()) > 0; }
@@ -236,6 +250,12 @@ std::string read_text_attribute(const Id& object, const std::string& name) {
   const Id attribute(H5Aopen(object.get(), name.c_str(), H5P_DEFAULT), H5Aclose, "find attribute " + name);
   const Id type(H5Aget_type(attribute.get()), H5Tclose, "read attribute " + name);
   const Id space(H5Aget_space(attribute.get()), H5Sclose, "read attribute " + name);
+  if (H5Tget_class(type.get()) == H5T_STRING && H5Tis_variable_str(type.get()) == 0 &&
+      H5Sget_simple_extent_npoints(space.get()) == 1) {
+    std::string text(H5Tget_size(type.get()), '\0');
+    check(H5Aread(attribute.get(), type.get(), text.data()), "read attribute " + name);
+    return text.substr(0, text.find('\0'));
+  }
   return take_text(type, space, name,
                    [&](hid_t memory, char** text) { return H5Aread(attribute.get(), memory, text); });
 }

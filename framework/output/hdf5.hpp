@@ -85,11 +85,13 @@ Dimensions dimensions_of(const Id& dataset);
 /// The part of a dataspace at one index of the first axis.
 Id slice(const Dimensions& dimensions, hsize_t index);
 
-// Texts are UTF-8 of variable length.
+// Texts of datasets are UTF-8 of variable length; those of attributes have a fixed length, as H5MD asks, and are ASCII
+// where they can be. A text attribute of either kind can be read.
 void write_text(const Id& parent, const std::string& name, const std::string& text);
 std::string read_text(const Id& parent, const std::string& name);
 void write_attribute(const Id& object, const std::string& name, const std::string& text);
 void write_attribute(const Id& object, const std::string& name, const std::vector<std::string>& texts);
+bool has_attribute(const Id& object, const std::string& name);
 std::string read_text_attribute(const Id& object, const std::string& name);
 
 /// Throws Failure unless a dataset has this many values.

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "mesogen/diagnostics/error.hpp"
+#include "output/frame_file.hpp"
 #include "output/results_file.hpp"
 #include "output/run_folder.hpp"
 #include "output/write_file.hpp"
@@ -22,7 +23,7 @@ std::vector<output::FieldShape> shapes_of(const std::vector<FrameField>& fields,
     if (field.components < 1 ||
         field.values.size() != static_cast<std::size_t>(count) * static_cast<std::size_t>(field.components))
       throw std::logic_error("a frame's field " + field.name + " must have one row a particle");
-    shapes.push_back({field.name, field.unit, field.components, field.type});
+    shapes.push_back(output::shape_of(field));
   }
   std::ranges::sort(shapes, {}, &output::FieldShape::name);
   if (std::ranges::find(shapes, "position", &output::FieldShape::name) == shapes.end())
@@ -90,7 +91,7 @@ void ResultsWriter::add_frame(const std::vector<FrameField>& fields, std::int64_
     throw Error(ExitCode::bad_case, "the frames already in " + options_.folder.string() +
                                         " hold other fields; keep output.fields as it was, or start a new run");
   const output::FrameStamp stamp{step, time};
-  output::write_frame(options_.folder / output::frame_name(content_.frames.size()), fields, stamp);
+  output::write_frame(options_.folder / output::frame_name(content_.frames.size()), fields, stamp, options_.dimension);
   content_.fields = std::move(shapes);
   content_.frames.push_back(stamp);
   changed_ = true;
@@ -111,7 +112,7 @@ void ResultsWriter::write_views() {
     throw Error(ExitCode::run_failed, "cannot make results.h5: " + std::string(failure.what()));
   }
   output::write_file(options_.folder / "results.h5", std::span<const std::byte>(bytes));
-  output::write_file(options_.folder / "results.xdmf", output::xdmf_text(options_, content_));
+  output::write_file(options_.folder / "results.xdmf", output::xdmf_text(options_, content_, output::Layout::views));
   changed_ = false;
 }
 
@@ -119,7 +120,7 @@ void ResultsWriter::finish(std::optional<RunCost> cost) {
   if (finished_) return;
   content_.cost = cost;
   output::pack(options_, content_);
-  output::write_file(options_.folder / "results.xdmf", output::xdmf_text(options_, content_));
+  output::write_file(options_.folder / "results.xdmf", output::xdmf_text(options_, content_, output::Layout::packed));
   finished_ = true;
   output::remove_frames(options_.folder, 0);
 }

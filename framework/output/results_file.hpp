@@ -20,6 +20,9 @@ std::string value_name(const FieldShape& field);
 /// Frames x particles, or frames x particles x components.
 hdf5::Dimensions value_dimensions(const FieldShape& field, std::size_t frames, std::size_t particles);
 
+/// The group of a packed results.h5 that ParaView reads of a frame: xdmf/000012
+std::string packed_shown_group(std::size_t frame);
+
 struct StoredResults {
   ResultsContent content;
   Layout layout = Layout::views;

@@ -1,11 +1,14 @@
+#include <fmt/format.h>
 #include <unistd.h>
 
 #include <cstdint>
+#include <functional>
 
 #include "mesogen/diagnostics/error.hpp"
 #include "output/frame_file.hpp"
 #include "output/results_file.hpp"
 #include "output/run_folder.hpp"
+#include "output/shown_fields.hpp"
 #include "output/write_file.hpp"
 
 namespace mesogen::output {
@@ -27,6 +30,14 @@ void copy_frame(const Id& frame, const Id& packed, const FieldShape& field, cons
               "write " + field.name);
 }
 
+/// What ParaView reads of one frame, over the packed values; `stored` gives the frame's.
+void write_shown_of(const Id& file, const ResultsOptions& options, const ResultsContent& content, std::size_t number,
+                    const std::function<std::vector<double>(const FieldShape&)>& stored) {
+  write_shown(file, packed_shown_group(number), shown_fields(content.fields, options.dimension),
+              static_cast<std::size_t>(options.count),
+              {.dataset = value_name, .frames = content.frames.size(), .frame = number}, stored);
+}
+
 void fill(const Id& file, const ResultsOptions& options, const ResultsContent& content) {
   const auto particles = static_cast<std::size_t>(options.count);
   for (std::size_t number = 0; number < content.frames.size(); ++number) {
@@ -40,6 +51,9 @@ void fill(const Id& file, const ResultsOptions& options, const ResultsContent& c
         case NumberType::int32: copy_frame<std::int32_t>(frame, packed, field, sizes, number); break;
       }
     }
+    write_shown_of(file, options, content, number, [&](const FieldShape& field) {
+      return hdf5::read<double>(hdf5::open_dataset(frame, field.name), field.name);
+    });
   }
 }
 
@@ -55,10 +69,18 @@ std::uint64_t largest_size(const ResultsOptions& options, const ResultsContent& 
       bytes *= n;
     size += bytes;
   }
-  return size;
+  if (content.frames.empty()) return size;
+  // Each takes as much room alone as among others, or more.
+  const Id shown = hdf5::create_in_memory();
+  write_shown_of(shown, options, content, 0, [&](const FieldShape& field) {
+    return std::vector<double>(static_cast<std::size_t>(options.count) * static_cast<std::size_t>(field.components));
+  });
+  return size + content.frames.size() * hdf5::image(shown).size();
 }
 
 }  // namespace
+
+std::string packed_shown_group(std::size_t frame) { return fmt::format("{}/{:06}", shown_group, frame); }
 
 void pack(const ResultsOptions& options, const ResultsContent& content) {
   const std::filesystem::path path = options.folder / "results.h5";
@@ -88,14 +110,15 @@ void unpack(const ResultsOptions& options, const ResultsContent& content) {
       for (const FieldShape& field : content.fields) {
         const Id packed = hdf5::open_dataset(file, value_name(field));
         const hdf5::Dimensions sizes = hdf5::dimensions_of(packed);
-        FrameField& values = fields.emplace_back(FrameField{field.name, field.unit, field.components, {}, field.type});
+        FrameField& values =
+            fields.emplace_back(FrameField{field.name, field.unit, field.components, {}, field.type, field.rank});
         values.values.resize(static_cast<std::size_t>(options.count) * static_cast<std::size_t>(field.components));
         const Id memory = hdf5::dataspace({values.values.size()});
         hdf5::check(H5Dread(packed.get(), H5T_NATIVE_DOUBLE, memory.get(), hdf5::slice(sizes, number).get(),
                             H5P_DEFAULT, values.values.data()),
                     "read " + field.name);
       }
-      write_frame(options.folder / frame_name(number), fields, content.frames[number]);
+      write_frame(options.folder / frame_name(number), fields, content.frames[number], options.dimension);
     }
   } catch (const hdf5::Failure& failure) {
     throw Error(ExitCode::run_failed, "cannot unpack " + path.string() + ": " + failure.what());

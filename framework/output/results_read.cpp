@@ -1,4 +1,5 @@
 #include "mesogen/diagnostics/error.hpp"
+#include "output/attributes.hpp"
 #include "output/frame_file.hpp"
 #include "output/results.hpp"
 #include "output/results_file.hpp"
@@ -22,7 +23,7 @@ void read_fields(const Id& fluid, const ResultsOptions& options, StoredResults& 
     if (name == "box" || name == "id") continue;
     const Id element = hdf5::open_group(fluid, name);
     const Id value = hdf5::open_dataset(element, "value");
-    FieldShape field{name, hdf5::read_text_attribute(value, "unit"), 1, NumberType::float64};
+    FieldShape field{name, read_unit(value), 1, NumberType::float64, read_rank(value)};
     const hdf5::Dimensions sizes = hdf5::dimensions_of(value);
     if (sizes.size() == 3) field.components = static_cast<int>(sizes[2]);
     const Id type(H5Dget_type(value.get()), H5Tclose, "read " + name);
@@ -46,7 +47,7 @@ QuantitySeries read_quantity(const Id& element, const std::string& name, std::si
   if ((sizes.size() != 1 && sizes.size() != 3) || sizes.front() != samples)
     throw hdf5::Failure(name + " does not fit its times");
   series.quantity.name = name;
-  series.quantity.unit(hdf5::read_text_attribute(value, "unit"));
+  series.quantity.unit(read_unit(value));
   series.quantity.doc(hdf5::read_text_attribute(value, "description"));
   series.quantity.columns = sizes.size() == 3 ? sizes[2] : 0;
   series.quantity.varying = hdf5::has(element, "count");

@@ -3,6 +3,7 @@
 
 #include <limits>
 
+#include "output/attributes.hpp"
 #include "output/frame_file.hpp"
 #include "output/results_file.hpp"
 #include "output/run_record_file.hpp"
@@ -13,10 +14,13 @@ namespace {
 
 using hdf5::Id;
 
-/// H5MD asks for somebody's name.
+/// H5MD asks for somebody's real name: where the system does not know it, that of the account.
 std::string author() {
   const passwd* const user = ::getpwuid(::geteuid());
-  return user == nullptr || user->pw_name == nullptr ? "unknown" : user->pw_name;
+  if (user == nullptr || user->pw_name == nullptr) return "unknown";
+  const std::string full = user->pw_gecos == nullptr ? "" : user->pw_gecos;
+  const std::string real_name = full.substr(0, full.find(','));  // behind it: office, telephone
+  return real_name.empty() ? user->pw_name : real_name;
 }
 
 void write_header(const Id& file, const ResultsOptions& options, const std::optional<RunCost>& cost) {
@@ -26,6 +30,9 @@ void write_header(const Id& file, const ResultsOptions& options, const std::opti
   const Id creator = hdf5::create_group(h5md, "creator");
   hdf5::write_attribute(creator, "name", std::string("Mesogen"));
   hdf5::write_attribute(creator, "version", options.version);
+  const Id units = hdf5::create_group(hdf5::create_group(h5md, "modules"), "units");
+  hdf5::write_attribute(units, "version", std::vector<std::int64_t>{1, 0});
+  hdf5::write_attribute(units, "system", std::string("SI"));
 
   const Id parameters = hdf5::create_group(file, "parameters");
   hdf5::write_text(parameters, "case", options.case_text);
@@ -46,13 +53,13 @@ void write_box(const Id& fluid, const ResultsOptions& options) {
     edges.push_back(options.box.at(axis));
   }
   hdf5::write_attribute(box, "boundary", boundary);
-  hdf5::write_attribute(hdf5::write(box, "edges", {edges.size()}, edges), "unit", std::string("m"));
+  write_unit(hdf5::write(box, "edges", {edges.size()}, edges), "m");
 }
 
 /// The datasets `step` and `time` of an H5MD element.
 void write_times(const Id& element, const std::vector<std::int64_t>& steps, const std::vector<double>& times) {
   hdf5::write(element, "step", {steps.size()}, steps);
-  hdf5::write_attribute(hdf5::write(element, "time", {times.size()}, times), "unit", std::string("s"));
+  write_unit(hdf5::write(element, "time", {times.size()}, times), "s");
 }
 
 /// H5MD lets elements share one `step` and one `time` by hard links.
@@ -80,7 +87,7 @@ void write_observer(const Id& observables, const std::string& name, const Observ
       sizes.push_back(quantity.columns());
     }
     const Id value = hdf5::write(element, "value", sizes, quantity.padded());
-    hdf5::write_attribute(value, "unit", quantity.quantity.unit_text);
+    write_unit(value, quantity.quantity.unit_text);
     hdf5::write_attribute(value, "description", quantity.quantity.doc_text);
     if (quantity.quantity.varying)
       hdf5::write(element, "count", {quantity.rows.size()},
@@ -124,7 +131,8 @@ void write_fields(const Id& fluid, const ResultsOptions& options, const ResultsC
         value_dimensions(field, content.frames.size(), static_cast<std::size_t>(options.count));
     const Id value = layout == Layout::views ? create_view(element, field, sizes)
                                              : hdf5::create_dataset(element, "value", stored_type_of(field), sizes);
-    hdf5::write_attribute(value, "unit", field.unit);
+    write_unit(value, field.unit);
+    write_rank(value, field.rank);
   }
 }
 

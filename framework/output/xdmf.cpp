@@ -4,6 +4,9 @@
 
 #include <string_view>
 
+#include "output/frame_file.hpp"
+#include "output/shown_fields.hpp"
+
 namespace mesogen::output {
 
 namespace {
@@ -23,63 +26,80 @@ std::string escaped(std::string_view text) {
   return result;
 }
 
-/// The values of one frame: a hyperslab (start, stride, count) of the dataset of all frames.
-std::string values(const FieldShape& field, std::size_t frame, std::size_t frames, Index particles) {
-  const bool scalar = field.components == 1;
-  const std::string tail = scalar ? "" : fmt::format(" {}", field.components);
-  return fmt::format(R"(          <DataItem ItemType="HyperSlab" Dimensions="{particles}{tail}" Type="HyperSlab">
-            <DataItem Dimensions="3 {rank}" Format="XML">{frame} 0{zero} 1 1{one} 1 {particles}{tail}</DataItem>
-            <DataItem Format="HDF" NumberType="{type}" Precision="{precision}" Dimensions="{frames} {particles}{tail}">results.h5:/particles/fluid/{name}/value</DataItem>
-          </DataItem>
-)",
-                     fmt::arg("particles", particles), fmt::arg("tail", tail), fmt::arg("rank", scalar ? 2 : 3),
-                     fmt::arg("frame", frame), fmt::arg("zero", scalar ? "" : " 0"),
-                     fmt::arg("one", scalar ? "" : " 1"),
-                     fmt::arg("type", field.type == NumberType::int32 ? "Int" : "Float"),
-                     fmt::arg("precision", field.type == NumberType::float64 ? 8 : 4), fmt::arg("frames", frames),
-                     fmt::arg("name", escaped(field.name)));
+std::string dataset(std::string_view path, std::string_view type, int precision, Index rows, int columns) {
+  return fmt::format(R"(<DataItem Format="HDF" NumberType="{}" Precision="{}" Dimensions="{}{}">{}</DataItem>)", type,
+                     precision, rows, columns == 1 ? "" : fmt::format(" {}", columns), escaped(path));
 }
 
-std::string grid(const ResultsOptions& options, const ResultsContent& content, std::size_t frame) {
+std::string attribute(std::string_view name, int components, std::string_view data) {
+  const char* const kind = components == 1 ? "Scalar" : components == 3 ? "Vector" : "Tensor";
+  return fmt::format("        <Attribute Name=\"{}\" AttributeType=\"{}\" Center=\"Node\">{}</Attribute>\n",
+                     escaped(name), kind, data);
+}
+
+/// Where the frame's group lies: file:/group
+std::string place(std::size_t frame, Layout layout) {
+  return layout == Layout::packed ? "results.h5:/" + packed_shown_group(frame) : frame_name(frame) + ":/" + shown_group;
+}
+
+/// The particles of one frame. Xdmf3 makes cells only of points that the topology lists: the ids, which count them.
+std::string fluid(const ResultsOptions& options, const ResultsContent& content, std::size_t frame, Layout layout) {
+  const std::string id = dataset("results.h5:/particles/fluid/id", "Int", 8, options.count, 1);
   std::string text = fmt::format(R"(      <Grid Name="fluid" GridType="Uniform">
         <Time Value="{:.17g}"/>
-        <Topology TopologyType="Polyvertex" NumberOfElements="{}" NodesPerElement="1"/>
+        <Topology TopologyType="Polyvertex" NumberOfElements="{}" NodesPerElement="1">{}</Topology>
 )",
-                                 content.frames[frame].time, options.count);
-  for (const FieldShape& field : content.fields) {
-    const std::string data = values(field, frame, content.frames.size(), options.count);
-    if (field.name == "position")
-      text += fmt::format("        <Geometry GeometryType=\"{}\">\n{}        </Geometry>\n",
-                          field.components == 2 ? "XY" : "XYZ", data);
-    else
-      text +=
-          fmt::format("        <Attribute Name=\"{}\" AttributeType=\"{}\" Center=\"Node\">\n{}        </Attribute>\n",
-                      escaped(field.name), field.components == 1 ? "Scalar" : "Vector", data);
+                                 content.frames[frame].time, options.count, id);
+  for (const ShownField& field : shown_fields(content.fields, options.dimension)) {
+    const std::string data =
+        dataset(place(frame, layout) + "/" + field.name, field.type == NumberType::int32 ? "Int" : "Float",
+                field.type == NumberType::float64 ? 8 : 4, options.count, field.components);
+    text += field.name == "position" ? fmt::format("        <Geometry GeometryType=\"XYZ\">{}</Geometry>\n", data)
+                                     : attribute(field.name, field.components, data);
   }
-  text += fmt::format(R"(        <Attribute Name="id" AttributeType="Scalar" Center="Node">
-          <DataItem Format="HDF" NumberType="Int" Precision="8" Dimensions="{}">results.h5:/particles/fluid/id</DataItem>
-        </Attribute>
+  return text + attribute("id", 1, id) + "      </Grid>\n";
+}
+
+/// The edges of the box: lines between corners that differ along one axis. Bit d of a corner's number: is it at the far
+/// end of axis d?
+std::string box(const ResultsOptions& options, double time) {
+  const unsigned corners = 1U << static_cast<unsigned>(options.dimension);
+  std::string points;
+  std::string lines;
+  int count = 0;
+  for (unsigned corner = 0; corner < corners; ++corner) {
+    for (unsigned axis = 0; axis < 3; ++axis)
+      points += fmt::format("{} ", (corner >> axis & 1U) != 0 ? options.box.at(axis) : 0.0);
+    for (unsigned axis = 0; axis < static_cast<unsigned>(options.dimension); ++axis) {
+      if ((corner >> axis & 1U) != 0) continue;
+      lines += fmt::format("{} {} ", corner, corner | 1U << axis);
+      ++count;
+    }
+  }
+  return fmt::format(R"(      <Grid Name="box" GridType="Uniform">
+        <Time Value="{:.17g}"/>
+        <Topology TopologyType="Polyline" NumberOfElements="{}" NodesPerElement="2">
+          <DataItem Format="XML" NumberType="Int" Dimensions="{} 2">{}</DataItem>
+        </Topology>
+        <Geometry GeometryType="XYZ"><DataItem Format="XML" NumberType="Float" Precision="8" Dimensions="{} 3">{}</DataItem></Geometry>
       </Grid>
 )",
-                      options.count);
-  return text;
+                     time, count, count, lines, corners, points);
 }
 
 }  // namespace
 
-std::string xdmf_text(const ResultsOptions& options, const ResultsContent& content) {
-  std::string text = R"(<?xml version="1.0"?>
-<!-- In ParaView choose "XDMF Reader"; its "Xdmf3 Reader" does not read hyperslabs. -->
-<Xdmf Version="3.0">
-  <Domain>
-    <Grid Name="run" GridType="Collection" CollectionType="Temporal">
-)";
-  for (std::size_t frame = 0; frame < content.frames.size(); ++frame) text += grid(options, content, frame);
-  text += R"(    </Grid>
-  </Domain>
-</Xdmf>
-)";
-  return text;
+std::string xdmf_text(const ResultsOptions& options, const ResultsContent& content, Layout layout) {
+  std::string fluids;
+  std::string boxes;
+  for (std::size_t frame = 0; frame < content.frames.size(); ++frame) {
+    fluids += fluid(options, content, frame, layout);
+    boxes += box(options, content.frames[frame].time);
+  }
+  constexpr const char* series =
+      "    <Grid Name=\"{}\" GridType=\"Collection\" CollectionType=\"Temporal\">\n{}    </Grid>\n";
+  return "<?xml version=\"1.0\"?>\n<Xdmf Version=\"3.0\">\n  <Domain>\n" + fmt::format(series, "fluid", fluids) +
+         fmt::format(series, "box", boxes) + "  </Domain>\n</Xdmf>\n";
 }
 
 }  // namespace mesogen::output

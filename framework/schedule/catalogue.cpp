@@ -45,6 +45,24 @@ int Catalogue::components(std::string_view field) const {
   return 0;
 }
 
+std::optional<Rank> Catalogue::rank(std::string_view field) const {
+  if (const Entry* entry = find(field)) return entry->declaration.rank;
+  const DerivedName derived = derived_name(field);
+  switch (derived.kind) {
+    case DerivedName::Kind::none: return {};
+    case DerivedName::Kind::volume: return Rank::scalar;
+    case DerivedName::Kind::correction: return Rank::matrix;
+    case DerivedName::Kind::laplacian: return rank(derived.source);
+    case DerivedName::Kind::gradient: {
+      const auto of = rank(derived.source);
+      if (of == Rank::scalar) return Rank::vector;
+      if (of == Rank::vector) return Rank::matrix;
+      return {};
+    }
+  }
+  return {};
+}
+
 bool Catalogue::exists(std::string_view field) const { return components(field) > 0; }
 
 std::string Catalogue::unit(std::string_view field) const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -31,6 +32,8 @@ class MESOGEN_EXPORT Catalogue {
   [[nodiscard]] bool exists(std::string_view field) const;
   /// Components of an existing field; 0 if there is none of this name.
   [[nodiscard]] int components(std::string_view field) const;
+  /// What the components of an existing field mean; nothing for the gradient of a tensor.
+  [[nodiscard]] std::optional<Rank> rank(std::string_view field) const;
   /// Unit of an existing field: "1/m2 x unit of its source" for derived ones.
   [[nodiscard]] std::string unit(std::string_view field) const;
   /// A state keeps its value from step to step: advanced in time or set once.

@@ -156,9 +156,9 @@ std::vector<FrameField> Observation::frame() {
   const int dimension = world.scene.dimension;
   std::vector<FrameField> fields;
   const std::size_t size = count * static_cast<std::size_t>(dimension);
-  FrameField position{"position", "m", dimension, std::vector<double>(size), NumberType::float64};
+  FrameField position{"position", "m", dimension, std::vector<double>(size), NumberType::float64, Rank::vector};
   // H5MD's name for the boxes that a particle has crossed.
-  FrameField image{"image", "1", dimension, std::vector<double>(size), NumberType::int32};
+  FrameField image{"image", "1", dimension, std::vector<double>(size), NumberType::int32, Rank::vector};
   for (std::size_t i = 0; i < count; ++i) {
     std::array<double, 3> at{};
     std::array<std::int32_t, 3> images{};
@@ -178,9 +178,12 @@ std::vector<FrameField> Observation::frame() {
   for (const std::string& name : setup.output_fields) {
     const Field& field = world.fields.at(name);
     const int components = field.components();
-    FrameField stored{name, setup.catalogue.unit(name), components,
+    FrameField stored{name,
+                      setup.catalogue.unit(name),
+                      components,
                       std::vector<double>(count * static_cast<std::size_t>(components)),
-                      world.single() ? NumberType::float32 : NumberType::float64};
+                      world.single() ? NumberType::float32 : NumberType::float64,
+                      setup.catalogue.rank(name)};
     for (int c = 0; c < components; ++c)
       for (std::size_t i = 0; i < count; ++i)
         stored.values[static_cast<std::size_t>(world.particles.id[i] * components + c)] =

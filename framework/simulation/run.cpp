@@ -39,8 +39,8 @@ class Run {
         trace_(options.trace),
         stepper_(setup),
         observation_(stepper_),
-        kept_(setup.source.output.checkpoint_times, setup.source.output.checkpoint_every),
-        crash_(stepper_.world().step, stepper_.world().time) {
+        crash_(stepper_.world().step, stepper_.world().time),
+        kept_(setup.source.output.checkpoint_times, setup.source.output.checkpoint_every) {
     crash_.advise(fmt::format("no checkpoint was written yet: `mesogen resume {}` starts again from the beginning",
                               options_.folder.string()));
     log_.open_file(options.folder / "run.log");

@@ -9,6 +9,7 @@ import numpy as np
 
 from . import nematics
 from .errors import MesogenError, NoResults, NoSuchName, missing
+from .units import plain
 
 GROUP = "particles/fluid"
 
@@ -51,8 +52,7 @@ class Run:
         if not os.path.isfile(self.file):
             raise NoResults(f"{path}: holds no results.h5; give the folder that 'mesogen run --output' wrote")
         try:
-            # A run in progress replaces this file as a whole, so that no lock is needed to read it.
-            self._file = h5py.File(self.file, "r", locking=False)
+            self._file = _opened(self.file)
         except OSError as error:
             raise NoResults(f"{self.file}: cannot be read as HDF5 ({error})") from error
         if GROUP not in self._file and "observables" not in self._file:
@@ -274,6 +274,20 @@ class Run:
         return rows[: int(recorded["count"][sample])] if "count" in recorded else rows
 
 
+def _opened(file):
+    """The file, opened as h5py does by default: HDF5 refuses a file that the process holds open with other locks.
+
+    Without locks where that fails: the file system has none, or somebody here opened the file so. None is needed, since
+    a run in progress replaces its results.h5 as a whole.
+    """
+    try:
+        return h5py.File(file, "r")
+    except OSError:
+        return h5py.File(file, "r", locking=False)
+
+
 def _unit(stored):
-    unit = stored["value"].attrs.get("unit", "1")
-    return unit.decode() if isinstance(unit, bytes) else str(unit)
+    """As it is usually written; of the columns of a table, "m, m, rad"."""
+    attributes = stored["value"].attrs
+    unit = attributes.get("unit", attributes.get("unit_text", "1"))
+    return plain(unit.decode() if isinstance(unit, bytes) else str(unit))

@@ -71,6 +71,40 @@ class Pictures(synthetic.FolderTest):
         self.assertEqual(code, 0)
         self.assertIn("vorticity.png", out)
 
+    def test_several_frames_are_chosen(self):
+        synthetic.complete(self.folder)
+        code, out, _ = call(self.folder, "--frames", "1:")
+        self.assertEqual(code, 0)
+        drawn = sorted(name for name in os.listdir(f"{self.folder}/report") if name.startswith("director"))
+        self.assertEqual(drawn, ["director_000001.png", "director_000002.png"])
+        # What no frame has is told once.
+        self.assertEqual(len(set(out.splitlines())), len(out.splitlines()))
+        for options, frames in ((("--every", "2"), (0, 2)), (("--frames", ":-2"), (0, 1)),
+                                (("--frames=0:1", "--every", "3"), (0,))):
+            target = os.path.join(self.folder, "-".join(options))
+            self.assertEqual(call(self.folder, *options, "--output", target)[0], 0)
+            self.assertEqual(sorted(name for name in os.listdir(target) if name.startswith("vorticity")),
+                             [f"vorticity_{frame:06}.png" for frame in frames])
+
+    def test_frames_that_are_not_there(self):
+        synthetic.complete(self.folder)
+        for options, text in ((("--frames", "1:7"), "no frame 7; "), (("--frames", "2:1"), "no frames from 2 to 1; ")):
+            code, _, err = call(self.folder, *options)
+            self.assertEqual(code, 2)
+            self.assertTrue(err.startswith(f"error: {text}"), err)
+        for options in (("--frames", "3"), ("--frames", "a:b"), ("--every", "0"), ("--frame", "1", "--frames", "0:1"),
+                        ("--frame", "1", "--every", "2")):
+            with self.assertRaises(SystemExit) as refused, contextlib.redirect_stderr(io.StringIO()):
+                report.main([self.folder, *options])
+            self.assertEqual(refused.exception.code, 2)
+
+    def test_symbols_of_defects_leave_room_between_them(self):
+        # Few: a share of the picture, wherever they stand. Many: a share of their mean distance. Both: of a narrow box.
+        self.assertEqual(director.defect_size((8.0, 8.0), 2), 0.018 * 8.0)
+        self.assertEqual(director.defect_size((8.0, 8.0), 20), 0.018 * 8.0)
+        self.assertAlmostEqual(director.defect_size((8.0, 8.0), 400), 0.1 * 0.4)
+        self.assertEqual(director.defect_size((100.0, 4.0), 2), 0.06 * 4.0)
+
     def test_frame_and_output_are_chosen(self):
         synthetic.complete(self.folder)
         target = os.path.join(self.folder, "elsewhere")

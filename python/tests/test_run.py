@@ -8,6 +8,7 @@ import numpy as np
 import synthetic
 
 import mesogen
+from mesogen.units import plain
 
 
 class Reading(synthetic.FolderTest):
@@ -42,6 +43,22 @@ class Reading(synthetic.FolderTest):
         angle, order = self.run_.director(2)
         np.testing.assert_allclose(angle, synthetic.order_tensor(synthetic.lattice(), 2)[1], atol=1e-14)
         np.testing.assert_allclose(order, 0.9, rtol=1e-14)
+
+    def test_the_file_may_be_open_elsewhere_in_the_process(self):
+        # HDF5 refuses a second opening with other locks: "file locking flag values don't match".
+        with h5py.File(self.run_.file, "r") as second:
+            self.assertIn("particles", second)
+        for locking in (True, False):
+            with h5py.File(os.path.join(self.folder, f"other_{locking}.h5"), "w") as file:
+                file.create_group("observables")
+            with h5py.File(os.path.join(self.folder, f"other_{locking}.h5"), "r", locking=locking):
+                mesogen.open(os.path.join(self.folder, f"other_{locking}.h5")).close()
+
+    def test_units(self):
+        for stored, usual in {"m s-1": "m/s", "s-1": "1/s", "m+2 s-1": "m2/s", "kg m-3 s-1": "kg/(m3 s)", "1": "1",
+                              "Pa-1 s-1": "1/(Pa s)", "m": "m", "m/s": "m/s", "kg/m^3": "kg/m^3",
+                              "m, m, 1, rad": "m, m, 1, rad", "particle spacings": "particle spacings", "": ""}.items():
+            self.assertEqual(plain(stored), usual)
 
     def test_series_and_tables(self):
         time, value = self.run_.series("stream", "v_rms")

@@ -10,8 +10,9 @@ from small_case import CASE  # noqa: F401 for the tests that import it from here
 MESOGEN = os.environ["MESOGEN"]
 BROKEN_PLUGINS = os.environ["BROKEN_PLUGINS"]
 PROJECT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
-VERBS = [["run"], ["resume"], ["branch"], ["replay"], ["check"], ["graph"], ["plugin"], ["plugin", "list"], ["plugin", "info"],
-         ["plugin", "new"], ["plugin", "check"], ["field"], ["field", "list"], ["schema"], ["reference"], ["report"],
+VERBS = [["run"], ["resume"], ["branch"], ["replay"], ["check"], ["graph"], ["plugin"], ["plugin", "list"],
+         ["plugin", "info"],         ["plugin", "new"], ["plugin", "check"], ["field"], ["field", "list"],
+         ["quantity"], ["quantity", "list"], ["schema"], ["reference"], ["report"],
          ["chart"], ["sweep"], ["study"]]
 
 

@@ -83,9 +83,11 @@ class Refusals(ChartTest):
 
     def test_an_answer_about_what_is_not_recorded(self):
         self.write(ANSWER.replace("flow.v_rms", "flow.speed"), "scene/answer.toml")
-        _, err = self.chart("--quiet", code=2)
-        self.assertRegex(err, r"^error: scene/answer\.toml: no quantity 'speed' in observer 'flow' of out/run/results\.h5; "
-                              r"there are: .*v_rms")
+        wrong = "scene/answer.toml: quantity[1].series: observer 'flow' records no 'speed'; there are: "
+        self.assertIn(wrong, self.refusal(STUDY))
+        self.write(ANSWER.replace("flow.v_rms", "flaw.v_rms"), "scene/answer.toml")
+        self.assertIn("scene/answer.toml: quantity[1].series: the case has no observer 'flaw'; did you mean 'flow'?",
+                      self.refusal(STUDY))
 
     def test_what_mesogen_refuses(self):
         err = self.refusal(STUDY + '"kernel.typ" = "quintic"\n[variant.cubic]\n"kernel.type" = "cubic"\n')

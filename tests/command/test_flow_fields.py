@@ -56,8 +56,8 @@ class FlowFields(CommandTest):
             with h5py.File(self.path(flow, "results.h5"), "r") as results:
                 fluid = results["particles/fluid"]
                 self.assertEqual(fluid["vorticity/value"].shape, (3, 960), flow)
-                self.assertEqual(fluid["stream_function/value"].attrs["unit"], "m2/s")
-                self.assertEqual(fluid["vorticity/value"].attrs["unit"], "1/s")
+                self.assertEqual(fluid["stream_function/value"].attrs["unit"], b"m+2 s-1")
+                self.assertEqual(fluid["vorticity/value"].attrs["unit"], b"s-1")
                 position = fluid["position/value"][:]
                 stream_function, vorticity = fluid["stream_function/value"][:], fluid["vorticity/value"][:]
             expected = known(position[0])

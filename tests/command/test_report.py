@@ -19,6 +19,16 @@ class Report(CommandTest):
         self.mesogen("report", "out", "--frame", "-2", "--output", "elsewhere")
         self.assertTrue(os.path.exists(self.path("elsewhere", "director.png")))
 
+    def test_several_frames(self):
+        self.mesogen("run", self.write_case(), "--output", "out", "--quiet")
+        self.mesogen("report", "out", "--frames", "-2:-1", "--every", "1", "--output", "pictures")
+        names = sorted(name for name in os.listdir(self.path("pictures")) if name.startswith("director"))
+        self.assertEqual(names, ["director_000001.png", "director_000002.png"])
+        _, err = self.mesogen("report", "out", "--frame", "1", "--frames", "0:1", code=2)
+        self.assertIn("--frame excludes --frames", err)
+        _, err = self.mesogen("report", "out", "--frames", "0-1", code=2)
+        self.assertIn("'0-1' must be A:B, such as 10:20, 10: or :-5", err)
+
     def test_no_results(self):
         _, err = self.mesogen("report", "nothing", code=2)
         self.assertRegex(err, r"^error: nothing: ")

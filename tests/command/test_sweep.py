@@ -30,6 +30,15 @@ class Sweep(SweepTest):
             self.assertIsNone(process.poll(), parts)
             time.sleep(0.005)
 
+    def test_seeds_of_a_case_that_leaves_its_seed_to_the_default(self):
+        self.write(CASE.replace("seed = 1\n", ""), "case.toml")
+        self.write(SWEEP.replace('[0.05, -0.05]', "[0.05]").replace('[point.thick]\n"physics.flow.viscosity" = 1.0\n', ""),
+                   "sweep.toml")
+        self.sweep("--quiet")
+        for seed in (1, 2):
+            with mesogen.open(self.path("out", "runs", f"activity_0.05-seed_{seed}")) as run:
+                self.assertEqual(run.parameters["director"]["seed"], seed)
+
     def test_a_sweep_from_nothing_to_tables(self):
         out, err = self.sweep()
         self.assertRegex(err, r"6 of 6  \S+-seed_2: done, ")

@@ -34,7 +34,7 @@ def draw(axes, scene, lines_across=46):
         order, origin="lower", extent=scene.grid.extent, cmap=ORDER_COLOURS, vmin=0, vmax=top, interpolation="bicubic"
     )
     draw_lines(axes, scene, lines_across)
-    draw_defects(axes, scene, 0.018 * max(scene.box))
+    draw_defects(axes, scene, defect_size(scene.box, len(scene.defects)))
     style.box_axes(axes, scene.box)
     style.titles(axes, "Director and order", scene)
     style.colour_bar(axes, image, "order q")
@@ -53,6 +53,14 @@ def draw_lines(axes, scene, lines_across):
     width = 72 * 4.4 / lines_across * 0.13
     segments = np.stack([place - along, place + along], axis=1)
     axes.add_collection(LineCollection(segments, colors=colours, linewidths=width, capstyle="round"))
+
+
+def defect_size(box, count):
+    """Size of the symbol of a defect (m), the same for all in a picture: a share of the picture, smaller where defects
+    stand so close in the mean, or the box is so narrow, that symbols would cover what is between them."""
+    box = np.asarray(box, dtype=float)
+    distance = np.sqrt(box.prod() / max(count, 1))
+    return min(0.018 * box.max(), 0.06 * box.min(), 0.1 * distance)
 
 
 def draw_defects(axes, scene, size):

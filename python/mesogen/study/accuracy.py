@@ -16,6 +16,7 @@ from .ledger import Ledger, locked, write_file
 from .machine import machine_text, of_same_defaults, program_text
 from .points import points_of
 from .progress import Progress, duration_text
+from .recorded import unfit_answer
 from .tables import markdown, percent, points_csv
 
 COLUMNS = ("key", "variant", "resolution", "seed", "repeat", "status", "reason", "error", "wall_seconds", "cpu_seconds",
@@ -100,7 +101,8 @@ def run_study(study, folder, program, progress_of=Progress, tell=print):
 def check_variants(study, program):
     """Lets mesogen look at every variant, at its coarsest. Raises StudyError with mesogen's own words."""
     said = refusals(program, study.scene.case, {
-        f"variant.{variant.name}": study.job(variant, variant.resolutions[0]).overrides for variant in study.variants})
+        f"variant.{variant.name}": study.job(variant, variant.resolutions[0]).overrides for variant in study.variants},
+        lambda recorded: unfit_answer(recorded, study.scene.answer))
     if said:
         raise StudyError([f"{study.file}: {', '.join(names)}: {line}" for line, names in said.items()])
 

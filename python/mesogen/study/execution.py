@@ -2,6 +2,7 @@
 
 import contextlib
 import ctypes
+import json
 import os
 import shlex
 import shutil
@@ -139,25 +140,30 @@ def execute(program, case, overrides, folder, threads=1, timeout=None, tick=None
     return outcome
 
 
-def refusals(program, case, changes):
-    """What mesogen says against the case with some changes: {line: [names]}, nothing if all can be run.
+def refusals(program, case, changes, unfit=lambda recorded: ()):
+    """What is said against the case with some changes: {line: [names]}, nothing if all can be run.
 
-    changes: {name: overrides}. Nothing is run.
+    changes: {name: overrides}. unfit: called with what the observers of a case that mesogen takes will record,
+    {observer: {quantity: columns}} with 0 columns for a single number; gives lines against it. Nothing is run.
     """
     said = {}
     for name, overrides in changes.items():
-        for line in refusal(program, case, overrides).splitlines():
+        refused, recorded = _look(program, case, overrides)
+        for line in [*refused.splitlines(), *(() if refused else unfit(recorded))]:
             said.setdefault(line, []).append(name)
     return said
 
 
-def refusal(program, case, overrides):
-    """What mesogen says against the case, "" if it can be run. Nothing is run."""
-    words = [program, "graph", case]
+def _look(program, case, overrides):
+    """What mesogen says against the case, "" if it can be run, and what its observers will record."""
+    words = [program, "quantity", "list", "--json", case]
     for text in set_texts(overrides):
         words += ["--set", text]
     done = subprocess.run(words, stdin=subprocess.DEVNULL, capture_output=True, text=True, check=False)
-    return "" if done.returncode == 0 else _without_prefix(done.stderr)
+    if done.returncode != 0:
+        return _without_prefix(done.stderr), {}
+    return "", {observer: {name: one["columns"] for name, one in quantities.items()}
+                for observer, quantities in json.loads(done.stdout).items()}
 
 
 def _die_with_parent():

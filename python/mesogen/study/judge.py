@@ -20,6 +20,7 @@ import numpy as np
 from ..errors import MesogenError
 from . import measures
 from .errors import StudyError
+from .recorded import observer_of
 
 
 @dataclass(frozen=True)
@@ -72,6 +73,19 @@ def read_bounds(table, has_answer):
     return Bounds(**found)
 
 
+NO_FLOW = "the case has no observer of type flow_statistics, by which runs are judged; add one to the case"
+NO_ORDER = ("[judge] has a bound of the order, but the case has no observer of type nematic_statistics; add one to the "
+            "case")
+
+
+def unfit_to_judge(recorded, bounds):
+    """What the observers of a case lack, in lines. recorded: see recorded.py."""
+    if observer_of(recorded, NEEDED) is None:
+        yield NO_FLOW
+    if bounds.order is not None and observer_of(recorded, ["mean_order"]) is None:
+        yield NO_ORDER
+
+
 def judge(run, bounds, quantities=(), stopped=""):
     """The Verdict on a run.
 
@@ -80,7 +94,7 @@ def judge(run, bounds, quantities=(), stopped=""):
     """
     observer = run.observer_of(*NEEDED)
     if observer is None:
-        raise StudyError("the case has no observer of type flow_statistics, by which runs are judged; add one to the case")
+        raise StudyError(NO_FLOW)
     time = run.series(observer, "v_rms")[0]
     curves = _curves(lambda name: run.series(observer, name)[1])
     if bounds.order is not None:
@@ -145,8 +159,7 @@ def _order(run, time):
     """Change of the mean order at these times."""
     observer = run.observer_of("mean_order")
     if observer is None:
-        raise StudyError("[judge] has a bound of the order, but the case has no observer of type nematic_statistics; add one "
-                         "to the case")
+        raise StudyError(NO_ORDER)
     own_time, order = run.series(observer, "mean_order")
     return np.abs(np.interp(time, own_time, order) - order[0])
 

@@ -12,10 +12,11 @@ from ..errors import NoResults
 from .drawing import look, stability_map
 from .errors import StudyError
 from .execution import command_line, execute, refusals
-from .judge import CRITERIA, Verdict, judge, way_of
+from .judge import CRITERIA, Verdict, judge, unfit_to_judge, way_of
 from .ledger import Ledger, locked, write_file
 from .machine import machine_text, of_same_defaults, program_text
 from .progress import Progress, duration_text
+from .recorded import unfit_answer
 from .search import boundaries, next_value
 from .stability_tables import boundaries_csv, markdown
 
@@ -128,7 +129,9 @@ def check_variants(study, program):
 
     said = refusals(program, study.scene.case, {
         (cell.name, value): study.overrides(cell, value)
-        for cell in study.cells() for value in (study.sweep.first, study.sweep.last)})
+        for cell in study.cells() for value in (study.sweep.first, study.sweep.last)},
+        lambda recorded: [*unfit_to_judge(recorded, study.bounds),
+                          *(unfit_answer(recorded, study.scene.answer) if study.bounds.error is not None else ())])
     if said:
         raise StudyError([f"{study.file}: {'; '.join(map(name, places))}: {line}" for line, places in said.items()])
 

@@ -10,7 +10,7 @@ def conflicts(sweep, seed_keys_given, own):
     study changes: that may end runs before a quantity begins, since a study has means of its own."""
     there = list(_keys(sweep.data))
     changed = {key for one in (sweep.common, *(point.values for point in sweep.points)) for key in one}
-    yield from _of_seeds(sweep, there, changed, seed_keys_given)
+    yield from _of_seeds(sweep, changed, seed_keys_given)
     last = max((_end(sweep, own, point) for point in sweep.points), default=math.inf)
     observers = sorted({key.split(".")[1] for key in {*there, *changed} if key.startswith("observers.")})
     for number, quantity in enumerate(sweep.quantities, start=1):
@@ -32,7 +32,7 @@ def _end(sweep, own, point):
     return end if isinstance(end, (int, float)) else math.inf
 
 
-def _of_seeds(sweep, there, changed, given):
+def _of_seeds(sweep, changed, given):
     if not sweep.seeds:
         if given:
             yield "seed_keys: means nothing without seeds"
@@ -40,9 +40,6 @@ def _of_seeds(sweep, there, changed, given):
     for key in sweep.seed_keys:
         if key in changed:
             yield f"{key}: is set by the seeds; leave it out"
-        elif key not in there:
-            takers = [name for name in there if name.split(".")[-1] == "seed"]
-            yield f"seed_keys: {sweep.case} has no '{key}' for the seeds to change" + nearest(key, takers)
 
 
 def _twice(what, names, advice):

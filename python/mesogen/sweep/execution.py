@@ -10,7 +10,6 @@ from ..run import open as open_run
 from ..study.errors import Refused, StudyError
 from ..study.execution import Process, command
 from ..study.machine import machine_text
-from .collection import check_series
 
 FROM_OUTSIDE = (signal.SIGKILL, signal.SIGHUP, signal.SIGXCPU)  # memory ran out, the session ended: worth another try
 
@@ -52,14 +51,6 @@ class Attempt:
             self._start()
             return None
         return None if outcome is None else self._row(outcome)
-
-    def check_quantities(self):
-        """Of a run that is done: raises StudyError if a quantity of the sweep is not there."""
-        try:
-            with open_run(self.records.results(self.run)) as run:
-                check_series(run, self.records.sweep.quantities)
-        except MesogenError as error:
-            raise StudyError(f"{self.records.sweep.file}: {error}") from error
 
     def stop(self):
         """Ends it; it leaves a checkpoint. Without effect where it has ended."""

@@ -6,6 +6,7 @@ from ..study.errors import StudyError
 from ..study.execution import PAUSE, command_line, refusals
 from ..study.ledger import Ledger, locked
 from ..study.progress import Progress, duration_text
+from ..study.recorded import unfit_series
 from .defaults import Program
 from .execution import Attempt
 from .points import few
@@ -17,8 +18,8 @@ def run_sweep(sweep, folder, program="mesogen", parallel=None, progress=Progress
 
     parallel: runs at a time, None: as the sweep has it. progress: called with (number of runs, how many are done), gives
     a study.progress.Progress. tell: takes a line about what is done again. retry: runs that failed are tried again.
-    Raises StudyError if mesogen refuses a run (before anything is run), or a quantity is not recorded; when it raises,
-    or is interrupted, its runs have ended and left checkpoints.
+    Raises StudyError if mesogen refuses a run, or an observer does not record a quantity, both before anything is run.
+    When it raises, or is interrupted, its runs have ended and left checkpoints.
     """
     with locked(folder, busy_text(folder)):
         records = Records(sweep, folder, Program(program))
@@ -47,11 +48,14 @@ def prepare(records, tell, retry):
 
 
 def check(sweep, runs, program):
-    """Lets mesogen look at every point. Raises StudyError with mesogen's own words."""
+    """Lets mesogen look at every point, and at what its observers will record. Raises StudyError."""
+    wanted = [(f"quantity[{number}].series", one.observer, one.series)
+              for number, one in enumerate(sweep.quantities, start=1)]
     first = {}
     for run in runs:
         first.setdefault(run.point.label, run.overrides)
-    said = refusals(program, sweep.case, first)
+    said = refusals(program, sweep.case, first,
+                    lambda recorded: unfit_series(recorded, wanted, "a sweep collects numbers"))
     if said:
         raise StudyError([f"{sweep.file}: {_points(names, len(sweep.points))}: {line}" for line, names in said.items()])
 
@@ -79,8 +83,6 @@ def _work(records, waiting, at_a_time, shown):
                     one.stop()
                     walls.append(row["wall_seconds"])
                     shown.end(row_text(row, one.resumed), one.run.label)
-                    if row["status"] == "done":  # not before it is on record: a misspelt name must not cost the run
-                        one.check_quantities()
             shown.tick()
             time.sleep(PAUSE)
     finally:
@@ -113,8 +115,6 @@ def run_task(sweep, run, folder, program, retry=False):
         while (row := attempt.poll()) is None:
             time.sleep(PAUSE)
         Ledger(records.state(run, "row.csv"), COLUMNS).add(row)
-        if row["status"] == "done":
-            attempt.check_quantities()
         return row
     finally:
         attempt.stop()

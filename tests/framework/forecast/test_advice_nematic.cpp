@@ -192,7 +192,7 @@ TEST(Advice, FewerFramesTakeFewerBytes) {
   text.section("time", "end = 10.0\nstep = 0.2").section("output", "interval = 0.2");
   const auto found = advised(text, "large_output", 1e6);
   ASSERT_TRUE(found);
-  EXPECT_EQ(found->gain, "6 frames, 8.5 times fewer bytes");
+  EXPECT_EQ(found->gain, "4 frames, 13 times fewer bytes");
   EXPECT_FALSE(advised(text, "large_output", 1e9));
   const auto folder = std::filesystem::temp_directory_path() / fmt::format("mesogen-advice-{}", ::getpid());
   const auto bytes = [&](const std::vector<std::string>& settings) {
@@ -209,7 +209,7 @@ TEST(Advice, FewerFramesTakeFewerBytes) {
     std::filesystem::remove_all(folder);
     return size;
   };
-  EXPECT_NEAR(bytes({}) / bytes(found->settings), 8.5, 1.7);
+  EXPECT_NEAR(bytes({}) / bytes(found->settings), 13.0, 2.6);
 }
 
 }  // namespace

@@ -108,10 +108,10 @@ class Reader {
     EXPECT_GE(attribute, 0) << object << "@" << name;
     if (attribute < 0) return {};
     const hid_t type = H5Aget_type(attribute);
-    char* text = nullptr;
-    H5Aread(attribute, type, &text);
-    std::string result = text == nullptr ? "" : text;
-    H5free_memory(text);
+    EXPECT_EQ(H5Tis_variable_str(type), 0) << object << "@" << name << " must have a fixed length";
+    std::string result(H5Tget_size(type), '\0');
+    H5Aread(attribute, type, result.data());
+    result.resize(result.find_last_not_of('\0') + 1);
     H5Tclose(type);
     H5Aclose(attribute);
     return result;
@@ -140,9 +140,9 @@ inline double image_at(std::int64_t step, std::size_t i) { return static_cast<do
 
 inline std::vector<FrameField> frame_at(std::int64_t step, Index count = particles) {
   const auto n = static_cast<std::size_t>(count);
-  std::vector<FrameField> fields{{"velocity", "m/s", 2, std::vector<double>(2 * n), NumberType::float32},
-                                 {"position", "m", 2, std::vector<double>(2 * n), NumberType::float64},
-                                 {"image", "1", 2, std::vector<double>(2 * n), NumberType::int32},
+  std::vector<FrameField> fields{{"velocity", "m/s", 2, std::vector<double>(2 * n), NumberType::float32, Rank::vector},
+                                 {"position", "m", 2, std::vector<double>(2 * n), NumberType::float64, Rank::vector},
+                                 {"image", "1", 2, std::vector<double>(2 * n), NumberType::int32, Rank::vector},
                                  {"pressure", "Pa", 1, std::vector<double>(n), NumberType::float64}};
   for (FrameField& field : fields)
     for (std::size_t i = 0; i < field.values.size(); ++i)

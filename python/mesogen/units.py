@@ -1,0 +1,20 @@
+"""Units as texts."""
+
+import re
+
+FACTOR = re.compile(r"([A-Za-z]+)([+-]\d+)?")
+
+
+def plain(unit):
+    """A unit that H5MD's units module spells, "kg m-3 s-1", as it is usually written: "kg/(m3 s)". Any other text stays."""
+    above, below = [], []
+    for factor in unit.split(" "):
+        match = FACTOR.fullmatch(factor)
+        if match is None:
+            return unit
+        power = int(match[2] or 1)
+        (above if power > 0 else below).append(match[1] + (str(abs(power)) if abs(power) != 1 else ""))
+    if not below:
+        return " ".join(above)
+    under = " ".join(below)
+    return f"{' '.join(above) or '1'}/{f'({under})' if len(below) > 1 else under}"
