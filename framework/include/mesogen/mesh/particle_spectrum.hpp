@@ -61,14 +61,15 @@ class ParticleSpectrum {
     }
   }
 
-  /// Where particles are; what follows is about them.
-  void locate(const std::array<const double*, Dim>& position, Index count) {
+  /// Where particles are; what follows is about them. `origin`: where the first point of the grid is, m; modes are
+  /// those of a field as seen from there.
+  void locate(const std::array<const double*, Dim>& position, Index count, const std::array<double, Dim>& origin = {}) {
     int lost = 0;
 #pragma omp parallel for schedule(static) reduction(| : lost) if (count >= few)
     for (Index i = 0; i < count; ++i)
       for (int d = 0; d < Dim; ++d) lost |= static_cast<int>(!(std::abs(position[d][i]) < 1e9 * grid_.length[d]));
     if (lost != 0) throw Error(ExitCode::run_failed, "the coordinate of a particle is not finite");
-    mesh_.locate(position, count);
+    mesh_.locate(position, count, origin);
     weighed_ = false;
   }
 
