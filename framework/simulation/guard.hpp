@@ -12,7 +12,7 @@
 
 namespace mesogen {
 
-/// Ends a run that is broken, with the particle, the field, its value and bound, the time and the likely remedy. It
+/// Ends a run that is broken, with the particle, the field, its value and bound, the time and a remedy. It
 /// only looks: a guarded run has the bits of an unguarded one.
 ///
 /// Its bounds are those that no sound run meets: particle volumes stay within some 5 % of the lattice's (after a start
@@ -40,6 +40,7 @@ class MESOGEN_EXPORT Guard {
   void check_distances() const;
   [[noreturn]] void stop_at_field(const Guarded& guarded) const;
   [[noreturn]] void stop_at_volume() const;
+  [[nodiscard]] std::string smaller_step() const;
   [[nodiscard]] std::string particle(Index place) const;
   [[noreturn]] void stop(const std::string& what, const std::string& remedy) const;
 
@@ -48,6 +49,7 @@ class MESOGEN_EXPORT Guard {
   const StepControl& control_;
   std::vector<Guarded> fields_;
   bool looks_for_pairs_ = false;
+  bool unshifted_ = false;   ///< pairs are summed over, and nothing keeps them apart
   Field* volume_ = nullptr;  ///< null if it is not made anew at each step
   double lattice_volume_;    ///< of a particle on the lattice as `volume` measures it, m^Dim
 };

@@ -170,9 +170,10 @@ class ParticleSpectrum {
     for (const double sum : row_sums_) square += sum;
     uneven_ = std::sqrt(square / static_cast<double>(grid_.point_count())) / mean;
     if (!(least > empty * mean))
-      throw Error(ExitCode::run_failed,
-                  "a point of the mesh has hardly any particle about it: keep the shift on, take a coarser mesh "
-                  "(mesh_spacing), or more particles");
+      throw Error(
+          ExitCode::run_failed,
+          "a point of the mesh has hardly any particle about it: leave the shift of the flow at its default, or "
+          "take a coarser mesh (mesh_spacing of a flow on a mesh)");
     weighed_ = true;
   }
 
