@@ -31,9 +31,6 @@ constexpr double largest_volume = 2.0;
 constexpr double nearest = 0.1;
 constexpr std::int64_t steps_between_looks = 128;
 
-// Neither a smaller step nor more particles keeps them apart.
-constexpr const char* keep_apart = "Leave the shift of the flow at its default";
-
 double length_of(const Field& field, Index i) {
   if (field.components() == 1) return field.value(0, i);
   double square = 0.0;
@@ -94,7 +91,6 @@ Guard::Guard(World& world, const Catalogue& catalogue, const StepGraph& graph, c
     if (entry.declaration.bounds && (catalogue.is_state(name) || made_at_each_step(name)))
       fields_.push_back({&world.fields.at(name), *entry.declaration.bounds});
   looks_for_pairs_ = integrator.moves() && graph.sums_pairs();
-  unshifted_ = looks_for_pairs_ && graph.transport().shift.empty();
   if (integrator.moves() && !graph.derived_for_integration().empty()) volume_ = &world.fields.at("volume");
 }
 
@@ -120,7 +116,7 @@ void Guard::check_finite(const Motion& motion) const {
   if (motion.finite) return;
   const auto bad = integrator_.find_bad();
   stop("broke down: '" + bad.field + "' is not finite" + (bad.particle >= 0 ? " at " + particle(bad.particle) : ""),
-       smaller_step());
+       calmer());
 }
 
 void Guard::check_speed(const Motion& motion) const {
@@ -128,7 +124,7 @@ void Guard::check_speed(const Motion& motion) const {
   const Index place = farthest_outside(*integrator_.velocity(), world_.particles.count(), 0.0, 0.0);
   stop("ran away: the largest speed, " + rounded_text(motion.fastest) + " m/s of " + particle(place) +
            ", carries it over " + rounded_text(farthest) + " spacings in one step",
-       smaller_step());
+       calmer());
 }
 
 void Guard::check_step(const Motion& motion) const {
@@ -166,7 +162,7 @@ void Guard::stop_at_volume() const {
            " times that on a lattice, outside " + rounded_text(smallest_volume) + " to " +
            rounded_text(largest_volume) + ": " +
            (ratio > 1.0 ? "particles have left a void there" : "particles have gathered there") + ",",
-       keep_apart);
+       calmer());
 }
 
 void Guard::check_distances() const {
@@ -176,14 +172,13 @@ void Guard::check_distances() const {
   stop("broke down: " + particle(std::min(pair->a, pair->b)) + " and " + particle(std::max(pair->a, pair->b)) +
            " are " + rounded_text(pair->distance / world_.scene.spacing) + " spacings apart, less than " +
            rounded_text(nearest) + ",",
-       keep_apart);
+       calmer());
 }
 
-std::string Guard::smaller_step() const {
+std::string Guard::calmer() const {
   const std::string step =
       control_.fixed() ? "ake a smaller time.step, or leave it to \"auto\"" : "ake a smaller step (time.factor = 0.5)";
-  // Particles that come together push each other away the faster.
-  return unshifted_ ? std::string(keep_apart) + ", or t" + step : "T" + step;
+  return looks_for_pairs_ ? "Leave the shift of the flow at its default, or t" + step : "T" + step;
 }
 
 std::string Guard::particle(Index place) const {

@@ -40,7 +40,8 @@ class MESOGEN_EXPORT Guard {
   void check_distances() const;
   [[noreturn]] void stop_at_field(const Guarded& guarded) const;
   [[noreturn]] void stop_at_volume() const;
-  [[nodiscard]] std::string smaller_step() const;
+  /// What to do where particles are too fast, or lie unevenly.
+  [[nodiscard]] std::string calmer() const;
   [[nodiscard]] std::string particle(Index place) const;
   [[noreturn]] void stop(const std::string& what, const std::string& remedy) const;
 
@@ -48,10 +49,9 @@ class MESOGEN_EXPORT Guard {
   const Integrator& integrator_;
   const StepControl& control_;
   std::vector<Guarded> fields_;
-  bool looks_for_pairs_ = false;
-  bool unshifted_ = false;   ///< pairs are summed over, and nothing keeps them apart
-  Field* volume_ = nullptr;  ///< null if it is not made anew at each step
-  double lattice_volume_;    ///< of a particle on the lattice as `volume` measures it, m^Dim
+  bool looks_for_pairs_ = false;  ///< particles move, and pairs are summed over
+  Field* volume_ = nullptr;       ///< null if it is not made anew at each step
+  double lattice_volume_;         ///< of a particle on the lattice as `volume` measures it, m^Dim
 };
 
 }  // namespace mesogen
