@@ -69,6 +69,11 @@ Pass& Pass::idle_if(bool idle) {
   return *this;
 }
 
+Pass& Pass::beside_pair_sums() {
+  beside_sums = true;
+  return *this;
+}
+
 Pass& Pass::advances_what_is_kept() {
   at_every_step = true;
   return *this;

@@ -68,11 +68,12 @@ std::string StepGraph::text() const {
   } else {
     text += fmt::format("particles move with {}{}\n", flow.velocity, flow.shift.empty() ? "" : " and " + flow.shift);
   }
+  const auto why_pruned = [](const Pass& pass) {
+    if (pass.adds_nothing) return "with its parameters it adds nothing";
+    return pass.beside_sums ? "nobody else sums over neighbours in a step" : "nobody needs what it makes";
+  };
   for (const Work& work : works_)
-    if (work.pruned())
-      text +=
-          fmt::format("pruned: {} ({})\n", work.title(),
-                      work.pass.adds_nothing ? "with its parameters it adds nothing" : "nobody needs what it makes");
+    if (work.pruned()) text += fmt::format("pruned: {} ({})\n", work.title(), why_pruned(work.pass));
   return text;
 }
 

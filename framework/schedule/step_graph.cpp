@@ -67,6 +67,10 @@ StepGraph::StepGraph(const Catalogue& catalogue, const std::vector<Member>& memb
     if (!field.empty()) follow(field, "the time integration", integration);
   for (Work& work : works_)
     if (work.pass.at_every_step) mark(work, integration);
+  if (sums_pairs())
+    for (Work& work : works_)
+      if (work.pass.beside_sums && !work.pass.adds_nothing && makes_any(work, integration.seen))
+        mark(work, integration);
 
   derived_for_reader_.resize(readers_.size());
   for (std::size_t n = 0; n < readers_.size(); ++n) {
@@ -97,6 +101,10 @@ void StepGraph::add_advection(const Backend& backend) {
   }
 }
 
+bool StepGraph::makes_any(const Work& work, const std::set<std::string>& fields) const {
+  return std::any_of(fields.begin(), fields.end(), [&](const std::string& field) { return makes(work, field); });
+}
+
 bool StepGraph::makes(const Work& work, const std::string& field) const {
   return contains(work.pass.write_list, field) || contains(work.pass.accumulate_list, field);
 }
@@ -123,6 +131,10 @@ void StepGraph::check_fields() const {
       throw Error(ExitCode::plugin_refused, "'" + work.title() + "' is idle and writes '" +
                                                 work.pass.write_list.front() +
                                                 "': idle_if is for passes that only add to fields");
+    if (work.pass.beside_sums && !work.pass.write_list.empty())
+      throw Error(ExitCode::plugin_refused, "'" + work.title() + "' runs beside pair sums and writes '" +
+                                                work.pass.write_list.front() +
+                                                "': beside_pair_sums is for passes that only add to fields");
     if (work.pass.phase == Phase::observe) {
       if (!work.pass.accumulate_list.empty())
         throw Error(ExitCode::plugin_refused, "'" + work.title() + "' adds to '" + work.pass.accumulate_list.front() +
@@ -172,7 +184,7 @@ void StepGraph::follow(const std::string& field, const std::string& wanted_by, N
   if (!made) {
     for (Work* const work : makers(field, need.integration)) {
       made = true;
-      if (!work->pass.adds_nothing) mark(*work, need);
+      if (!work->pass.adds_nothing && !work->pass.beside_sums) mark(*work, need);
     }
   }
   if (!made) {

@@ -63,6 +63,7 @@ class MESOGEN_EXPORT StepGraph {
   void mark(Work& work, Need& need);
   [[nodiscard]] std::vector<Work*> makers(const std::string& field, bool for_integration);
   void order_phase(Phase phase);
+  [[nodiscard]] bool makes_any(const Work& work, const std::set<std::string>& fields) const;
   [[nodiscard]] bool makes(const Work& work, const std::string& field) const;
   [[nodiscard]] std::vector<std::string> sources(const Work& work) const;
 

@@ -31,15 +31,6 @@ constexpr double largest_volume = 2.0;
 constexpr double nearest = 0.1;
 constexpr std::int64_t steps_between_looks = 128;
 
-constexpr const char* spread_out =
-    "Keep the shift of the particles on, start with a smaller particles.jitter if this is soon after the start, or "
-    "take "
-    "a smaller step (time.factor = 0.5, or time.step)";
-constexpr const char* calmer =
-    "Keep the shift of the particles on, or take a smaller step (time.factor = 0.5), more viscosity or more particles";
-constexpr const char* smaller_step =
-    "Take a smaller step (time.factor = 0.5, or time.step), more particles, or a smaller activity";
-
 double length_of(const Field& field, Index i) {
   if (field.components() == 1) return field.value(0, i);
   double square = 0.0;
@@ -125,7 +116,7 @@ void Guard::check_finite(const Motion& motion) const {
   if (motion.finite) return;
   const auto bad = integrator_.find_bad();
   stop("broke down: '" + bad.field + "' is not finite" + (bad.particle >= 0 ? " at " + particle(bad.particle) : ""),
-       smaller_step);
+       calmer());
 }
 
 void Guard::check_speed(const Motion& motion) const {
@@ -133,7 +124,7 @@ void Guard::check_speed(const Motion& motion) const {
   const Index place = farthest_outside(*integrator_.velocity(), world_.particles.count(), 0.0, 0.0);
   stop("ran away: the largest speed, " + rounded_text(motion.fastest) + " m/s of " + particle(place) +
            ", carries it over " + rounded_text(farthest) + " spacings in one step",
-       control_.fixed() ? "Take a smaller time.step, or leave it to \"auto\"" : calmer);
+       calmer());
 }
 
 void Guard::check_step(const Motion& motion) const {
@@ -152,7 +143,7 @@ void Guard::check_step(const Motion& motion) const {
   stop("ran away: the largest speed, " + largest(integrator_.velocity(), motion.fastest, "m/s") + acceleration + ", " +
            ask + " for steps of " + rounded_text(next) + " s (" + limit + "), where the fluid at rest allows " +
            rounded_text(control_.at_rest()) + " s",
-       "Take a smaller step (time.factor = 0.5), more particles, or a smaller activity");
+       "If the flow is meant to be so fast, give the step by time.step");
 }
 
 void Guard::stop_at_field(const Guarded& guarded) const {
@@ -171,7 +162,7 @@ void Guard::stop_at_volume() const {
            " times that on a lattice, outside " + rounded_text(smallest_volume) + " to " +
            rounded_text(largest_volume) + ": " +
            (ratio > 1.0 ? "particles have left a void there" : "particles have gathered there") + ",",
-       spread_out);
+       calmer());
 }
 
 void Guard::check_distances() const {
@@ -181,7 +172,13 @@ void Guard::check_distances() const {
   stop("broke down: " + particle(std::min(pair->a, pair->b)) + " and " + particle(std::max(pair->a, pair->b)) +
            " are " + rounded_text(pair->distance / world_.scene.spacing) + " spacings apart, less than " +
            rounded_text(nearest) + ",",
-       spread_out);
+       calmer());
+}
+
+std::string Guard::calmer() const {
+  const std::string step =
+      control_.fixed() ? "ake a smaller time.step, or leave it to \"auto\"" : "ake a smaller step (time.factor = 0.5)";
+  return looks_for_pairs_ ? "Leave the shift of the flow at its default, or t" + step : "T" + step;
 }
 
 std::string Guard::particle(Index place) const {

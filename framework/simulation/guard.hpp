@@ -12,7 +12,7 @@
 
 namespace mesogen {
 
-/// Ends a run that is broken, with the particle, the field, its value and bound, the time and the likely remedy. It
+/// Ends a run that is broken, with the particle, the field, its value and bound, the time and a remedy. It
 /// only looks: a guarded run has the bits of an unguarded one.
 ///
 /// Its bounds are those that no sound run meets: particle volumes stay within some 5 % of the lattice's (after a start
@@ -40,6 +40,8 @@ class MESOGEN_EXPORT Guard {
   void check_distances() const;
   [[noreturn]] void stop_at_field(const Guarded& guarded) const;
   [[noreturn]] void stop_at_volume() const;
+  /// What to do where particles are too fast, or lie unevenly.
+  [[nodiscard]] std::string calmer() const;
   [[nodiscard]] std::string particle(Index place) const;
   [[noreturn]] void stop(const std::string& what, const std::string& remedy) const;
 
@@ -47,9 +49,9 @@ class MESOGEN_EXPORT Guard {
   const Integrator& integrator_;
   const StepControl& control_;
   std::vector<Guarded> fields_;
-  bool looks_for_pairs_ = false;
-  Field* volume_ = nullptr;  ///< null if it is not made anew at each step
-  double lattice_volume_;    ///< of a particle on the lattice as `volume` measures it, m^Dim
+  bool looks_for_pairs_ = false;  ///< particles move, and pairs are summed over
+  Field* volume_ = nullptr;       ///< null if it is not made anew at each step
+  double lattice_volume_;         ///< of a particle on the lattice as `volume` measures it, m^Dim
 };
 
 }  // namespace mesogen

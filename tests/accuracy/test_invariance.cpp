@@ -56,6 +56,40 @@ TEST(Invariance, UniformFlowChangesNothing) {
   EXPECT_GT(flies.world().neighbourhood.sortings(), 100);
 }
 
+// The mesh goes with the mean velocity, so it meets the particles in the same places.
+TEST(Invariance, UniformFlowChangesNothingOnTheMesh) {
+  for (const char* const boundary : {"periodic_wrap", "periodic_ghosts"}) {
+    const auto scene_at = [&](const char* velocity) {
+      CaseText text(length, across);
+      text.boundary(boundary)
+          .section("director", waves)
+          .section("velocity", velocity)
+          .section("physics.flow", "type = \"incompressible\"\ndensity = 1.0\nviscosity = 0.2")
+          .nematic(0.4, 0.7, 0.02)
+          .active(0.08)
+          .section("time", "end = 1e6\nstep = 0.05");
+      return text;
+    };
+    CaseRun rests(scene_at("type = \"rest\""));
+    CaseRun flies(scene_at("type = \"uniform\"\nvalue = [0.7, -0.4]"));
+    constexpr double end = 20.0;
+    rests.run_to(end);
+    flies.run_to(end);
+    ASSERT_GT(largest(rests.field("velocity", 1)), 0.1);
+    for (const int c : {0, 1}) {
+      const double speed = c == 0 ? 0.7 : -0.4;
+      const auto expect_same = [&](const std::vector<double>& a, const std::vector<double>& b, double shift) {
+        double most = 0.0;
+        for (std::size_t i = 0; i < a.size(); ++i) most = std::max(most, std::abs(b[i] - a[i] - shift));
+        EXPECT_LT(most, 1e-9) << boundary;
+      };
+      expect_same(rests.field("order_tensor", c), flies.field("order_tensor", c), 0.0);
+      expect_same(rests.field("velocity", c), flies.field("velocity", c), speed);
+      expect_same(rests.path(c), flies.path(c), speed * end);
+    }
+  }
+}
+
 // Turned by 90 degrees, (x, y) -> (L - y, x): a wave (mx, my) becomes (-my, mx), its phase stays (L is a whole period).
 TEST(Invariance, TurnedSceneGivesTheTurnedAnswer) {
   CaseRun upright(scene(waves));

@@ -17,6 +17,7 @@
 #include "mesogen/diagnostics/error.hpp"
 #include "mesogen/plugin/physics.hpp"
 #include "mesogen/plugin/plugin.hpp"
+#include "pair_shift.hpp"
 
 namespace {
 
@@ -62,7 +63,8 @@ class Incompressible final : public Physics {
         .at_most(100)
         .doc(
             "how fast particles move to where they are sparse, in root mean square velocity gradients; what they carry "
-            "is re-evaluated where they go. 0: not at all");
+            "is re-evaluated where they go. Where a plugin sums over neighbours, close pairs are moved apart too, at a "
+            "tenth of this times the local gradient. 0: not at all");
   }
 
   void scales(Scales& scales) const override {
@@ -116,6 +118,7 @@ class Incompressible final : public Physics {
     list.flows({"velocity", "shift_velocity", true, false, "acceleration"});
     for (int n = 0; prepared_ && n < Momentum::kept_count; ++n)
       list.keep(Momentum::kept[n], Momentum::count(grid_, n), [this, n] { return flow().momentum().numbers(n); });
+    if (prepared_) list.keep("origin of the mesh", Dim, [this] { return flow().origin(); });
     pass(list, "flow at the midpoint", Phase::begin, &MeshFlow<Real, Dim>::to_midpoint)
         .reads({"velocity"})
         .writes({"velocity", "velocity_gradient", "density"});
@@ -140,6 +143,12 @@ class Incompressible final : public Physics {
     pass(list, "shift", Phase::rates, &MeshFlow<Real, Dim>::spread_particles)
         .accumulates({"shift_velocity"})
         .idle_if(shift_ == 0.0);
+    list.pass("shift of close pairs")
+        .reads({"velocity_gradient"})
+        .accumulates({"shift_velocity"})
+        .beside_pair_sums()
+        .idle_if(shift_ == 0.0)
+        .run([this](const PassContext& context) { move_apart(context); });
     pass(list, "flow at the end", Phase::end, &MeshFlow<Real, Dim>::to_end).writes({"velocity"});
     pass(list, "velocity gradient, for readers", Phase::observe, &MeshFlow<Real, Dim>::velocity_gradient)
         .reads({"velocity"})
@@ -158,6 +167,22 @@ class Incompressible final : public Physics {
       flow_ = std::make_unique<MeshFlow<Real, Dim>>(grid_, particle_spacing_, fluid_,
                                                     incompressible::Numerics{static_cast<int>(corrections_), shift_});
     return *flow_;
+  }
+
+  void move_apart(const PassContext& context) {
+    // Nobody moves before there is a step.
+    const double step = context.step_size();
+    const double per_step = step > 0.0 ? 1.0 / step : 0.0;
+    incompressible::PairShift<Real, Dim> sums{};
+    sums.velocity_gradient = context.read<Real>("velocity_gradient");
+    sums.shift = context.write<Real>("shift_velocity");
+    sums.strength = Real(0.1 * shift_);
+    sums.mean_gradient = Real(flow().mean_gradient());
+    // What an explicit step bears: on a lattice the sum grows by some 10 displacements.
+    sums.fastest_rate = Real(0.1 * per_step);
+    sums.fastest = Real(MeshFlow<Real, Dim>::farthest_shift * particle_spacing_ * per_step);
+    sums.spacing = Real(particle_spacing_);
+    sph::pair_sum(context.space(), context.neighbours<Real, Dim>(), context.kernel(), sums);
   }
 
   void fields(PassList& list) const {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <vector>
 
 #include "mesogen/plugin/context.hpp"
@@ -41,7 +42,12 @@ class MeshFlow {
       for (auto& component : *modes) component.resize(spectrum_.mode_count());
   }
 
+  /// How far a shift may take a particle in one step, in spacings.
+  static constexpr double farthest_shift = 0.1;
+
   Momentum<Dim>& momentum() { return momentum_; }
+  /// Root mean square of the velocity's gradient at the midpoint of the step, 1/s.
+  [[nodiscard]] double mean_gradient() const { return mean_gradient_; }
 
   /// What all of it takes, bytes: modes (complex, half as many as points), fields on the mesh, particles on it.
   static double memory(const mesh::Grid<Dim>& grid, Index particles) {
@@ -51,8 +57,15 @@ class MeshFlow {
     return 8.0 * points * (modes + fields) + static_cast<double>(particles) * (28.0 + 40.0 * Dim);
   }
 
+  /// Where the mesh begins at the start of the step, m: it goes with the mean velocity, as a particle would, so that
+  /// particles cross it only as fast as they move through the fluid around them. For checkpoints.
+  [[nodiscard]] std::span<double> origin() { return origin_; }
+
   /// Velocity and its gradient as they will be at the middle of the step, at the particles.
   void to_midpoint(const PassContext& context) {
+    if (context.step_size() == 0.0) origin_ = {};
+    here_ = origin_;
+    for (int d = 0; d < Dim; ++d) here_[d] += 0.5 * context.step_size() * momentum_.velocity(d)[0].real();
     locate(context);
     const Modes midpoint = modes_of(midpoint_);
     if (context.step_size() == 0.0) {
@@ -101,6 +114,12 @@ class MeshFlow {
 
   /// The flow at the end of the step, where the particles have gone.
   void to_end(const PassContext& context) {
+    for (int d = 0; d < Dim; ++d) {
+      const double length = spectrum_.grid().length[d];
+      origin_[d] += context.step_size() * midpoint_[d][0].real();
+      origin_[d] -= length * std::floor(origin_[d] / length);
+    }
+    here_ = origin_;
     locate(context);
     momentum_.advance_to(context.time());
     const auto velocity = context.write<Real>("velocity");
@@ -113,6 +132,7 @@ class MeshFlow {
 
   /// The gradient of the velocity that the particles have, for readers.
   void velocity_gradient(const PassContext& context) {
+    here_ = {};
     locate(context);
     const Modes velocity = modes_of(work_);
     fit(context.read<Real>("velocity"), velocity);
@@ -130,9 +150,11 @@ class MeshFlow {
   }
 
   /// Gradient and Laplacian of the order tensor. Of what the mesh does not carry the Laplacian is that of its shortest
-  /// wave: nothing else would damp it. `diffusivity` x `step_size` are what the Laplacian will be multiplied by.
+  /// wave: nothing else would damp it. `diffusivity` x `step_size` are what the Laplacian will be multiplied by;
+  /// 0 for readers, who see the same in a replay, where nobody knows how far the mesh has gone.
   void order_tensor_derivatives(const PassContext& context, double diffusivity, double step_size) {
     static_assert(Dim == 2, "the order tensor's components here are those of two dimensions");
+    if (step_size == 0.0) here_ = {};
     locate(context);
     constexpr int components = 2;
     const auto q = context.read<Real>("order_tensor");
@@ -173,7 +195,7 @@ class MeshFlow {
     const double step = context.step_size();
     double rate = numerics_.shift * mean_gradient_;
     if (step > 0.0) rate = std::min(rate, 0.5 / step);
-    const double fastest = step > 0.0 ? 0.1 * spacing_ / step : 0.0;
+    const double fastest = step > 0.0 ? farthest_shift * spacing_ / step : 0.0;
     Modes modes{};
     for (int d = 0; d < Dim; ++d) modes[d] = room(d);
     spectrum_.for_each_mode([&](std::size_t n, const WaveVector& k) {
@@ -196,11 +218,12 @@ class MeshFlow {
   static constexpr int gradients = Dim * Dim - 1;
 
   void locate(const PassContext& context) {
-    if (located_ == context.positions_version()) return;
+    if (located_ == context.positions_version() && located_from_ == here_) return;
     std::array<const double*, Dim> position{};
     for (int d = 0; d < Dim; ++d) position[d] = context.position(d);
-    spectrum_.locate(position, context.count());
+    spectrum_.locate(position, context.count(), here_);
     located_ = context.positions_version();
+    located_from_ = here_;
   }
 
   void fit(const FieldView<const Real>& vector, const Modes& modes) {
@@ -211,7 +234,8 @@ class MeshFlow {
         modes, numerics_.corrections);
   }
 
-  // f / rho - div(u u), and what friction is to be added back, because the momentum equation takes it implicitly.
+  // f / rho - div(u u), u relative to the mesh, and what friction is to be added back, because the momentum equation
+  // takes it implicitly.
   void find_acceleration(const PassContext& context, const Modes& force) {
     fit(context.read<Real>("acceleration"), force);
     if (fluid_.friction > 0.0) {
@@ -226,7 +250,11 @@ class MeshFlow {
   void add_advection(const Modes& force) {
     points_.resize(Dim + 1);
     for (auto& values : points_) values.resize(spectrum_.grid().point_count());
-    for (int d = 0; d < Dim; ++d) spectrum_.transform().backward(copy(d, midpoint_[d].data()), points_[d].data());
+    for (int d = 0; d < Dim; ++d) {
+      Complex* const relative = copy(d, midpoint_[d].data());
+      relative[0] = 0.0;  // the mesh goes with the mean
+      spectrum_.transform().backward(relative, points_[d].data());
+    }
     const auto count = static_cast<std::ptrdiff_t>(points_[0].size());
     Complex* const flux = room(0);
     for (int a = 0; a < Dim; ++a) {
@@ -305,7 +333,10 @@ class MeshFlow {
   Numerics numerics_;
   Spectrum spectrum_;
   Momentum<Dim> momentum_;
+  std::array<double, Dim> origin_{};  // of the mesh at the start of the step, m
+  std::array<double, Dim> here_{};    // where it is now
   std::uint64_t located_ = 0;
+  std::array<double, Dim> located_from_{};
   std::array<std::vector<Complex>, Dim> midpoint_;  // the velocity
   std::array<std::vector<Complex>, Dim> work_;
   std::vector<std::vector<Complex>> rooms_;

@@ -112,8 +112,8 @@ TEST(ParticleSpectrum, AVoidIsAnError) {
   } catch (const Error& error) {
     EXPECT_EQ(error.code(), ExitCode::run_failed);
     EXPECT_STREQ(error.what(),
-                 "a point of the mesh has hardly any particle about it: keep the shift on, take a coarser mesh "
-                 "(mesh_spacing), or more particles");
+                 "a point of the mesh has hardly any particle about it: leave the shift of the flow at its default, or "
+                 "take a coarser mesh (mesh_spacing of a flow on a mesh)");
   }
   particles.x[5] = NAN;
   try {

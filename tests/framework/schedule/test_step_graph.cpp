@@ -162,6 +162,33 @@ TEST(StepGraph, ShiftThatNobodyAddsToMovesNothing) {
   }
 }
 
+// What keeps particles fit for sums over neighbours runs where the integration takes such sums; a reader's do not
+// count.
+TEST(StepGraph, PassesBesidePairSumsRunWhereTheIntegrationSums) {
+  for (const bool sums : {false, true}) {
+    GraphFixture all;
+    PassList& flow = all.plugin("flow");
+    flow.field("u", Rank::vector).predicted_by("a");
+    flow.field("a", Rank::vector);
+    flow.field("s", Rank::vector);
+    flow.flows({"u", "s"});
+    flow.pass("mesh shift").accumulates({"s"});
+    flow.pass("pair shift").accumulates({"s"}).beside_pair_sums();
+    flow.pass("idle shift").accumulates({"s"}).beside_pair_sums().idle_if(true);
+    Pass& force = all.plugin("other").pass("force").accumulates({"a"});
+    if (sums) force.reads({"volume"});
+    all.reader("observers.eye", {"volume", "s"});
+    const StepGraph graph = all.graph();
+    EXPECT_EQ(graph.sums_pairs(), sums);
+    EXPECT_EQ(titles(graph), sums ? (Titles{"flow: mesh shift", "flow: pair shift", "other: force"})
+                                  : (Titles{"flow: mesh shift", "other: force"}));
+    EXPECT_EQ(
+        graph.text().find("pruned: flow: pair shift (nobody else sums over neighbours in a step)") != std::string::npos,
+        !sums)
+        << graph.text();
+  }
+}
+
 // The flow's own gradient takes the place of the framework's; readers get what is made for them at the end of the step.
 TEST(StepGraph, AFieldOfADerivedNameIsThePluginsOwn) {
   GraphFixture all;

@@ -36,6 +36,16 @@ TEST(StepGraphErrors, IdlePassThatWritesIsRefused) {
             "'one: stress' is idle and writes 'stress': idle_if is for passes that only add to fields");
 }
 
+TEST(StepGraphErrors, PassBesidePairSumsThatWritesIsRefused) {
+  GraphFixture all;
+  PassList& one = all.plugin("one");
+  one.field("stress", Rank::matrix);
+  one.pass("stress").writes({"stress"}).beside_pair_sums();
+  EXPECT_EQ(all.refusal(ExitCode::plugin_refused),
+            "'one: stress' runs beside pair sums and writes 'stress': beside_pair_sums is for passes that only add to "
+            "fields");
+}
+
 TEST(StepGraphErrors, TwoPluginsWithOneFieldAreNamed) {
   GraphFixture all;
   all.plugin("physics.one").field("velocity", Rank::vector);

@@ -41,8 +41,10 @@ class ParticleMesh {
   [[nodiscard]] const Grid<Dim>& grid() const { return grid_; }
   [[nodiscard]] Index count() const { return static_cast<Index>(located_.size()); }
 
-  /// Where the particles are, m; outside the box, their images inside it. Not to be called with what is not finite.
-  void locate(const std::array<const double*, Dim>& position, Index count) {
+  /// Where the particles are, m; outside the box, their images inside it. `origin`: where the first point of the grid
+  /// is, m. Not to be called with what is not finite.
+  void locate(const std::array<const double*, Dim>& position, Index count, const std::array<double, Dim>& origin = {}) {
+    origin_ = origin;
     located_.resize(static_cast<std::size_t>(count));
     row_of_.resize(located_.size());
     in_row_.resize(located_.size());
@@ -135,6 +137,9 @@ class ParticleMesh {
     return begin_[static_cast<std::size_t>(layer * (Dim == 3 ? grid_.points[1] : 1))];
   }
 
+  /// How many cells a coordinate is from the origin.
+  [[nodiscard]] double in_cells(int d, double x) const { return (x - origin_[d]) * cells_per_length_[d]; }
+
   /// The first of the four points along an axis that a coordinate touches: the one below its cell.
   [[nodiscard]] int first_point(int d, double cell) const {
     if (cell >= 1.0 && cell <= grid_.points[d]) return static_cast<int>(cell) - 1;
@@ -147,7 +152,7 @@ class ParticleMesh {
     Located where{};
     where.particle = i;
     for (int d = last; d >= 0; --d) {
-      const double x = position[d][i] * cells_per_length_[d];
+      const double x = in_cells(d, position[d][i]);
       const double cell = std::floor(x);
       CubicSpline::weights(x - cell, where.weight[d]);
       if (d == 0) {
@@ -174,7 +179,7 @@ class ParticleMesh {
       for (Index i = 0; i < count; ++i) {
         int row = 0;
         for (int d = last; d > 0; --d)
-          row = row * grid_.points[d] + first_point(d, std::floor(position[d][i] * cells_per_length_[d]));
+          row = row * grid_.points[d] + first_point(d, std::floor(in_cells(d, position[d][i])));
         row_of_[static_cast<std::size_t>(i)] = row;
         ++own[static_cast<std::size_t>(row)];
       }
@@ -190,7 +195,7 @@ class ParticleMesh {
 #pragma omp for schedule(static)
       for (Index i = 0; i < count; ++i) {
         const Index to = own[static_cast<std::size_t>(row_of_[static_cast<std::size_t>(i)])]++;
-        in_row_[static_cast<std::size_t>(to)] = {i, first_point(0, std::floor(position[0][i] * cells_per_length_[0]))};
+        in_row_[static_cast<std::size_t>(to)] = {i, first_point(0, std::floor(in_cells(0, position[0][i])))};
       }
     }
   }
@@ -293,6 +298,7 @@ class ParticleMesh {
   int line_;            // points in a row, and those that lie beyond its end
   int lines_in_layer_;  // likewise
   std::array<double, Dim> cells_per_length_{};
+  std::array<double, Dim> origin_{};
   std::vector<Located> located_;  // by cell
   std::vector<InRow> in_row_;     // by row, as they are stored within one
   std::vector<int> row_of_;

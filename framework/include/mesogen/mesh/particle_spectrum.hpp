@@ -61,14 +61,15 @@ class ParticleSpectrum {
     }
   }
 
-  /// Where particles are; what follows is about them.
-  void locate(const std::array<const double*, Dim>& position, Index count) {
+  /// Where particles are; what follows is about them. `origin`: where the first point of the grid is, m; modes are
+  /// those of a field as seen from there.
+  void locate(const std::array<const double*, Dim>& position, Index count, const std::array<double, Dim>& origin = {}) {
     int lost = 0;
 #pragma omp parallel for schedule(static) reduction(| : lost) if (count >= few)
     for (Index i = 0; i < count; ++i)
       for (int d = 0; d < Dim; ++d) lost |= static_cast<int>(!(std::abs(position[d][i]) < 1e9 * grid_.length[d]));
     if (lost != 0) throw Error(ExitCode::run_failed, "the coordinate of a particle is not finite");
-    mesh_.locate(position, count);
+    mesh_.locate(position, count, origin);
     weighed_ = false;
   }
 
@@ -169,9 +170,10 @@ class ParticleSpectrum {
     for (const double sum : row_sums_) square += sum;
     uneven_ = std::sqrt(square / static_cast<double>(grid_.point_count())) / mean;
     if (!(least > empty * mean))
-      throw Error(ExitCode::run_failed,
-                  "a point of the mesh has hardly any particle about it: keep the shift on, take a coarser mesh "
-                  "(mesh_spacing), or more particles");
+      throw Error(
+          ExitCode::run_failed,
+          "a point of the mesh has hardly any particle about it: leave the shift of the flow at its default, or "
+          "take a coarser mesh (mesh_spacing of a flow on a mesh)");
     weighed_ = true;
   }
 

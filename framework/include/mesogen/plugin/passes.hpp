@@ -104,6 +104,7 @@ struct MESOGEN_EXPORT Pass {
   std::vector<std::string> accumulate_list;  ///< added to; the framework zeroes it first, additions in case order
   bool adds_nothing = false;                 ///< see idle_if
   bool at_every_step = false;                ///< see advances_what_is_kept
+  bool beside_sums = false;                  ///< see beside_pair_sums
   std::function<void(const PassContext&)> body;
 
   Pass& reads(std::initializer_list<std::string_view> fields);
@@ -116,6 +117,10 @@ struct MESOGEN_EXPORT Pass {
   Pass& idle_if(bool idle);
   /// It changes what the plugin keeps (PassList::keep): it runs at every step, whoever reads what it writes.
   Pass& advances_what_is_kept();
+  /// It keeps particles fit for sums over neighbours: it runs only where another pass of the integration needs such
+  /// sums (observers do not count), and may use the neighbours that are found for that pass. For passes that
+  /// accumulate and write nothing.
+  Pass& beside_pair_sums();
   Pass& run(std::function<void(const PassContext&)> function);
 };
 
