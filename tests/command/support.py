@@ -11,7 +11,7 @@ MESOGEN = os.environ["MESOGEN"]
 BROKEN_PLUGINS = os.environ["BROKEN_PLUGINS"]
 PROJECT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 VERBS = [["run"], ["resume"], ["branch"], ["replay"], ["check"], ["graph"], ["plugin"], ["plugin", "list"],
-         ["plugin", "info"],         ["plugin", "new"], ["plugin", "check"], ["field"], ["field", "list"],
+         ["plugin", "info"], ["plugin", "new"], ["plugin", "check"], ["field"], ["field", "list"],
          ["quantity"], ["quantity", "list"], ["schema"], ["reference"], ["report"],
          ["chart"], ["sweep"], ["study"]]
 
