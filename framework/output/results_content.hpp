@@ -16,7 +16,9 @@ namespace mesogen {
 /// What is written of a run whatever its plugins are.
 struct ResultsOptions {
   std::filesystem::path folder;  ///< made ready by start_run_folder()
-  std::array<double, 3> box{};   ///< edges, m
+  std::array<double, 3> box{};   ///< edges
+  std::string length_unit = "m";
+  std::string time_unit = "s";
   int dimension = 2;
   std::vector<bool> periodic;  ///< by axis
   std::string case_text;       ///< resolved

@@ -25,8 +25,9 @@ std::string call_text(std::string_view plugin, std::string_view call) {
 }
 
 std::string call_text(std::string_view instance, std::string_view plugin, std::string_view call, std::int64_t step,
-                      double time) {
-  return fmt::format("{} (plugin \"{}\"), {} at step {}, t = {:.6g} s", instance, plugin, call, step, time);
+                      double time, const Units& units) {
+  return fmt::format("{} (plugin \"{}\"), {} at step {}, t = {:.6g} {}", instance, plugin, call, step, time,
+                     units.time);
 }
 
 }  // namespace mesogen

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <utility>
 
+#include "case/units.hpp"
 #include "mesogen/diagnostics/error.hpp"
 #include "mesogen/export.hpp"
 
@@ -19,7 +20,7 @@ MESOGEN_EXPORT std::string call_text(std::string_view plugin, std::string_view c
 
 /// A call while the case runs: `physics.flow (plugin "wcsph"), pass "continuity" at step 3, t = 0.02 s`.
 MESOGEN_EXPORT std::string call_text(std::string_view instance, std::string_view plugin, std::string_view call,
-                                     std::int64_t step, double time);
+                                     std::int64_t step, double time, const Units& units);
 
 /// Runs one call into a plugin while a case is put together. Whatever it throws comes out as an Error that names the
 /// plugin and the call.

@@ -140,8 +140,9 @@ void Executor::run(Work& work) {
     work.pass.body(WorkContext(world_, work));
     world_.end_of_work();
   } catch (...) {
-    rethrow_of_plugin(call_text(work.owner, work.plugin, "pass \"" + work.pass.name + "\"", world_.step, world_.time),
-                      ExitCode::run_failed);
+    rethrow_of_plugin(
+        call_text(work.owner, work.plugin, "pass \"" + work.pass.name + "\"", world_.step, world_.time, world_.units),
+        ExitCode::run_failed);
   }
   for (const std::string& field : work.pass.write_list)
     if (Field* const written = world_.fields.find(field)) ++written->version;

@@ -41,6 +41,7 @@ class MESOGEN_EXPORT Guard {
   [[noreturn]] void stop_at_field(const Guarded& guarded) const;
   [[noreturn]] void stop_at_volume() const;
   [[nodiscard]] std::string particle(Index place) const;
+  [[nodiscard]] std::string unit(std::string_view declared) const { return world_.units.text(declared); }
   [[noreturn]] void stop(const std::string& what, const std::string& remedy) const;
 
   World& world_;

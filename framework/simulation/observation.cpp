@@ -44,7 +44,7 @@ void call(const World& world, const Setup::ObserverMember& member, const char* n
   try {
     action();
   } catch (...) {
-    rethrow_of_plugin(call_text("observers." + member.instance, member.type, name, world.step, world.time),
+    rethrow_of_plugin(call_text("observers." + member.instance, member.type, name, world.step, world.time, world.units),
                       ExitCode::run_failed);
   }
 }
@@ -70,7 +70,10 @@ Observation::Observation(Stepper& stepper) : stepper_(stepper) {
 
 void Observation::declare(ResultsWriter& results) const {
   for (const auto& member : stepper_.setup().observers)
-    for (const Quantity& quantity : member.plan.quantities()) results.declare_observable(member.instance, quantity);
+    for (Quantity quantity : member.plan.quantities()) {
+      quantity.unit(stepper_.world().units.text(quantity.unit_text));
+      results.declare_observable(member.instance, quantity);
+    }
 }
 
 void Observation::start() {
@@ -137,7 +140,7 @@ std::vector<FrameField> Observation::frame() {
   const int dimension = world.scene.dimension;
   std::vector<FrameField> fields;
   const std::size_t size = count * static_cast<std::size_t>(dimension);
-  FrameField position{"position", "m", dimension, std::vector<double>(size), NumberType::float64};
+  FrameField position{"position", world.units.length, dimension, std::vector<double>(size), NumberType::float64};
   // H5MD's name for the boxes that a particle has crossed.
   FrameField image{"image", "1", dimension, std::vector<double>(size), NumberType::int32};
   for (std::size_t i = 0; i < count; ++i) {
@@ -159,7 +162,7 @@ std::vector<FrameField> Observation::frame() {
   for (const std::string& name : setup.output_fields) {
     const Field& field = world.fields.at(name);
     const int components = field.components();
-    FrameField stored{name, setup.catalogue.unit(name), components,
+    FrameField stored{name, world.units.text(setup.catalogue.unit(name)), components,
                       std::vector<double>(count * static_cast<std::size_t>(components)),
                       world.single() ? NumberType::float32 : NumberType::float64};
     for (int c = 0; c < components; ++c)

@@ -61,11 +61,12 @@ class Run {
     stepper_.start();
     observation_.start();
     observation_.observe(std::vector<bool>(setup_.observers.size() + 1, true), results);
-    log_.info(fmt::format("{} particles, {} threads, {}, first step {} s (limit: {})", setup_.scene.particle_count,
+    log_.info(fmt::format("{} particles, {} threads, {}, first step {} {} (limit: {})", setup_.scene.particle_count,
                           omp_get_max_threads(), precision(), rounded_text(stepper_.next_step(end()).seconds),
-                          stepper_.next_step(end()).limit));
+                          setup_.source.units.time, stepper_.next_step(end()).limit));
     if (const std::string fitted = fitted_spacing_text(setup_.source); !fitted.empty())
-      log_.info("particles.spacing is " + rounded_text(setup_.scene.spacing) + " m: " + fitted);
+      log_.info("particles.spacing is " + rounded_text(setup_.scene.spacing) + " " + setup_.source.units.length + ": " +
+                fitted);
     return go_on(results);
   }
 
@@ -106,7 +107,7 @@ class Run {
     auto saved = begun;
     const std::int64_t first = world.step;
     shares_before_ = shares();
-    progress_.start(world.time, world.step, end());
+    progress_.start(world.time, world.step, end(), setup_.source.units.time);
     try {
       while (world.time < end() && !stopped()) {
         const auto [step_size, limit] = stepper_.next_step(end());
@@ -133,8 +134,8 @@ class Run {
     // Not twice the same: the two that are kept are to be two.
     if (saved_step_ != world.step) write_checkpoint(results);
     if (world.time < end()) {
-      log_.warn(fmt::format("interrupted at t = {} s; `mesogen resume {}` continues", rounded_text(world.time),
-                            options_.folder.string()));
+      log_.warn(fmt::format("interrupted at t = {} {}; `mesogen resume {}` continues", rounded_text(world.time),
+                            setup_.source.units.time, options_.folder.string()));
       return ExitCode::interrupted;
     }
     results.finish(RunCost{.first_step = first,
@@ -231,8 +232,8 @@ ExitCode resume_run(const PluginRegistry& registry, const RunOptions& options, L
   if (checkpoint.time >= setup->source.time.end) {
     log.info("this run is complete: there is nothing left to compute");
   } else {
-    log.info(
-        fmt::format("resuming from {} at t = {} s, step {}", which, rounded_text(checkpoint.time), checkpoint.step));
+    log.info(fmt::format("resuming from {} at t = {} {}, step {}", which, rounded_text(checkpoint.time),
+                         setup->source.units.time, checkpoint.step));
     if (checkpoint.instruction_sets != setup->instruction_sets)
       log.warn(
           fmt::format("the run goes on, but not to the same bits: {} was written by code for other instruction sets "

@@ -199,7 +199,8 @@ void SetupBuilder::describe_scene() {
       for (const auto& limit : setup_.limits.all())
         if (!(limit.seconds > 0.0))
           throw Error(ExitCode::plugin_refused, "the limit on the step \"" + limit.name + "\" is " +
-                                                    rounded_text(limit.seconds) + " s: it must be above 0");
+                                                    rounded_text(limit.seconds) + " " + source_.units.time +
+                                                    ": it must be above 0");
     });
   });
 }

@@ -35,7 +35,8 @@ def open(path):
 class Run:
     """The results of one run. Use as a context manager, or call close() when done.
 
-    Arrays are numpy arrays; particle rows are ordered by particle id; lengths are in m, times in s.
+    Arrays are numpy arrays; particle rows are ordered by particle id; numbers are in the units of the case: lengths in
+    `length_unit`, m by default, times in `time_unit`.
     """
 
     def __init__(self, path):
@@ -196,6 +197,21 @@ class Run:
         return _unit(self._frames_of(name))
 
     @property
+    def length_unit(self):
+        """Unit of lengths, as text: "m", or what the case says in [units]."""
+        edges = self._file.get(f"{GROUP}/box/edges")
+        return "m" if edges is None else _word(edges, "m")
+
+    @property
+    def time_unit(self):
+        """Unit of times, as text: "s", or what the case says in [units]."""
+        for name in ["position", *self.fields]:
+            times = self._file.get(f"{GROUP}/{name}/time")
+            if times is not None:
+                return _word(times, "s")
+        return "s"
+
+    @property
     def id(self):
         """Particle ids in the order of the rows of every field, shape (N,)."""
         node = self._file.get(f"{GROUP}/id")
@@ -261,5 +277,10 @@ class Run:
 
 
 def _unit(stored):
-    unit = stored["value"].attrs.get("unit", "1")
+    return _word(stored["value"], "1")
+
+
+def _word(dataset, default):
+    """The attribute `unit` of a dataset, as text."""
+    unit = dataset.attrs.get("unit", default)
     return unit.decode() if isinstance(unit, bytes) else str(unit)

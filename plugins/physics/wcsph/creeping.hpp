@@ -29,7 +29,7 @@ inline double smallest_square(const Scene& scene) {
 ///
 ///     momentum, by viscosity and friction    (mu k^2 + xi) / rho
 ///     director, by active flow               |zeta| X k^2 / (2 (mu k^2 + xi)),   X = 2 q + |lambda|
-///     director, by elasticity                K k^2 (Gamma + X^2 / (2 mu))
+///     director, by elasticity                K k^2 (Gamma + X^2 / (2 mu)), the second term only with elastic stress
 ///     anything, by an imposed speed U        U / L, L the shortest edge
 ///
 /// Where the director relaxes or grows at the rate s, the flow lags by s rho / (mu k^2 + xi) of itself. The bulk's
@@ -45,8 +45,8 @@ inline double creeping_density(const Scene& scene, double viscosity, double rati
   const double c = constant("bulk_C");
   const double order = a < 0.0 && c > 0.0 ? std::sqrt(-a / (2.0 * c)) : 1.0;
   const double coupling = 2.0 * order + std::abs(constant("flow_alignment"));
-  const double elasticity =
-      constant("elastic_constant") * (constant("rotational_diffusivity") + coupling * coupling / (2.0 * viscosity));
+  const double by_flow = constant("elastic_stress") > 0.0 ? coupling * coupling / (2.0 * viscosity) : 0.0;
+  const double elasticity = constant("elastic_constant") * (constant("rotational_diffusivity") + by_flow);
   const double activity = std::abs(constant("activity")) * coupling / 2.0;
   const double longest = smallest_square(scene);
   const double shortest_edge = *std::min_element(scene.box.begin(), scene.box.begin() + scene.dimension);

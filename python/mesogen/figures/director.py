@@ -35,7 +35,7 @@ def draw(axes, scene, lines_across=46):
     )
     draw_lines(axes, scene, lines_across)
     draw_defects(axes, scene, 0.018 * max(scene.box))
-    style.box_axes(axes, scene.box)
+    style.box_axes(axes, scene.box, scene.run.length_unit)
     style.titles(axes, "Director and order", scene)
     style.colour_bar(axes, image, "order q")
 
