@@ -17,8 +17,6 @@ namespace mesogen {
 struct ResultsOptions {
   std::filesystem::path folder;  ///< made ready by start_run_folder()
   std::array<double, 3> box{};   ///< edges
-  std::string length_unit = "m";
-  std::string time_unit = "s";
   int dimension = 2;
   std::vector<bool> periodic;  ///< by axis
   std::string case_text;       ///< resolved
@@ -26,6 +24,8 @@ struct ResultsOptions {
   std::string build;
   std::int64_t seed = 0;
   Index count = 0;  ///< particles
+  std::string length_unit = "m";
+  std::string time_unit = "s";
 };
 
 /// What a finished run took: of its last session alone, if it was resumed.
