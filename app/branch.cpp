@@ -43,7 +43,7 @@ void add_branch(CLI::App& command, Action& action) {
   verb->add_option("folder", options->folder, "Folder of the run to branch from")->type_name("DIR")->required();
   verb->add_option("new", options->output, "Folder for the new run")->type_name("NEW")->required();
   verb->add_option("--at", options->at,
-                   "Simulated time of the checkpoint, s (default: the newest); output.checkpoint_times and "
+                   "Simulated time of the checkpoint (default: the newest); output.checkpoint_times and "
                    "output.checkpoint_every keep some for this")
       ->type_name("TIME");
   verb->add_option("--set", options->changes,

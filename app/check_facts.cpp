@@ -50,6 +50,7 @@ std::vector<AdviceFacts> follow(const Setup& setup, const StepForecast& steps, d
 CheckFacts check_facts(Setup& setup, bool timed, double program, const SetUpWith& set_up_with) {
   CheckFacts facts;
   facts.numbers = dimensionless_numbers(setup.scene, uniform_director(setup.source));
+  for (SceneNumber& number : facts.numbers) number.unit = setup.source.units.text(number.unit);
   facts.steps = forecast_steps(setup);
   facts.memory = forecast_memory(setup, program);
   facts.memory_available = static_cast<double>(available_memory());

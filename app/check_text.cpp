@@ -28,37 +28,42 @@ std::string scene_text(const Setup& setup) {
   const Case& source = setup.source;
   const Scene& scene = setup.scene;
   const double neighbours = std::numbers::pi * std::pow(scene.support / scene.spacing, 2);
+  const std::string& length = source.units.length;
   std::string text;
   if (!source.title.empty()) text += fmt::format("title           {}\n", source.title);
-  text += fmt::format("box             {:.6g} m x {:.6g} m\n", scene.box[0], scene.box[1]);
-  text += fmt::format("particles       {}, {}, spacing {:.6g} m\n", scene.particle_count, source.particles.arrangement,
-                      scene.spacing);
+  text += fmt::format("box             {0:.6g} {2} x {1:.6g} {2}\n", scene.box[0], scene.box[1], length);
+  text += fmt::format("particles       {}, {}, spacing {:.6g} {}\n", scene.particle_count, source.particles.arrangement,
+                      scene.spacing, length);
   if (const auto fitted = fitted_spacing_text(source); !fitted.empty())
     text += fmt::format("                {}\n", fitted);
-  text += fmt::format("kernel          smoothing length {:.6g} m, support {:.6g} m, about {:.0f} neighbours\n",
-                      scene.smoothing_length, scene.support, neighbours);
+  text += fmt::format("kernel          smoothing length {0:.6g} {3}, support {1:.6g} {3}, about {2:.0f} neighbours\n",
+                      scene.smoothing_length, scene.support, neighbours, length);
   text += fmt::format("precision       {}\n", scene.precision == Precision::single_precision ? "single" : "double");
   return text;
 }
 
 std::string steps_text(const Setup& setup, const StepForecast& steps) {
   const auto& time = setup.source.time;
+  const std::string& unit = setup.source.units.time;
   std::string text;
   if (time.step) {
-    text += fmt::format("time            {:.6g} s, in {} steps of {:.6g} s\n", time.end, steps.expected, *time.step);
+    text += fmt::format("time            {0:.6g} {3}, in {1} steps of {2:.6g} {3}\n", time.end, steps.expected,
+                        *time.step, unit);
   } else {
-    text += fmt::format("time            {:.6g} s, step chosen as the run goes, times {:.6g}\n", time.end, time.factor);
+    text += fmt::format("time            {:.6g} {}, step chosen as the run goes, times {:.6g}\n", time.end, unit,
+                        time.factor);
   }
   text += "step limits, beside those of the motion\n";
   for (const auto& limit : setup.limits.all()) {
-    text += fmt::format("  {:<46} {:.6g} s", limit.name, limit.seconds);
+    text += fmt::format("  {:<46} {:.6g} {}", limit.name, limit.seconds, unit);
     if (limit.name == steps.limit) text += "   binds";
     if (time.step && *time.step > limit.seconds)
       text += fmt::format("   time.step is {:.3g} times as long: the run will break down", *time.step / limit.seconds);
     text += '\n';
   }
   if (!steps.fixed && steps.speed > 0.0 && steps.limit_at_speed != steps.limit)
-    text += fmt::format("  {:<46} {:.6g} s   binds at {:.3g} m/s\n", steps.limit_at_speed, steps.at_speed, steps.speed);
+    text += fmt::format("  {:<46} {:.6g} {}   binds at {:.3g} {}\n", steps.limit_at_speed, steps.at_speed, unit,
+                        steps.speed, setup.source.units.text("m/s"));
   return text;
 }
 
@@ -101,8 +106,8 @@ std::string run_text(const Setup& setup, const CheckFacts& facts) {
   text += fmt::format("\n  disk            {}: {:.0f} frames of {}, two checkpoints of {}\n",
                       bytes_text(facts.frames * facts.frame_bytes + 2.0 * facts.checkpoint_bytes), facts.frames,
                       bytes_text(facts.frame_bytes), bytes_text(facts.checkpoint_bytes));
-  text += fmt::format("  stored fields   position{}{} every {:.6g} s\n", setup.output_fields.empty() ? "" : ", ",
-                      fmt::join(setup.output_fields, ", "), setup.source.output.interval);
+  text += fmt::format("  stored fields   position{}{} every {:.6g} {}\n", setup.output_fields.empty() ? "" : ", ",
+                      fmt::join(setup.output_fields, ", "), setup.source.output.interval, setup.source.units.time);
   return text;
 }
 

@@ -27,19 +27,20 @@ ExitCode list(const CaseOptions& options) {
     text.erase(text.find_last_not_of(' ') + 1);
     fmt::print("{}\n", text);
   };
+  const Units& units = setup->source.units;
   line("FIELD", "RANK", "UNIT", "FROM", "");
   const Transport& flow = setup->graph->transport();
-  line("position", to_string(Rank::vector), "m", "framework",
+  line("position", to_string(Rank::vector), units.length, "framework",
        flow.velocity.empty() || flow.fixed
            ? "fixed"
            : "advanced with " + flow.velocity + (flow.shift.empty() ? "" : " + " + flow.shift));
   for (const auto& [name, entry] : setup->catalogue.all()) {
-    line(name, to_string(entry.declaration.rank), entry.declaration.unit_text, entry.owner,
+    line(name, to_string(entry.declaration.rank), units.text(entry.declaration.unit_text), entry.owner,
          advance_text(entry.declaration));
     if (!entry.declaration.doc_text.empty()) fmt::print("  {}\n", entry.declaration.doc_text);
   }
   for (const auto& name : derived_fields(*setup))
-    line(name, fmt::format("{} components", setup->catalogue.components(name)), setup->catalogue.unit(name),
+    line(name, fmt::format("{} components", setup->catalogue.components(name)), units.text(setup->catalogue.unit(name)),
          "framework", "made when read");
   return ExitCode::done;
 }

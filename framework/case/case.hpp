@@ -9,6 +9,7 @@
 
 #include "case/problems.hpp"
 #include "case/section.hpp"
+#include "case/units.hpp"
 #include "mesogen/export.hpp"
 #include "mesogen/field/rank.hpp"
 #include "mesogen/plugin/parameters.hpp"
@@ -91,6 +92,7 @@ struct MESOGEN_EXPORT Case {
 
   std::string title;
   std::string file;  ///< as given, for messages
+  Units units;       ///< of all numbers below, in place of m, s and N where the case says so
   Domain domain;
   Particles particles;
   PluginChoice boundary;

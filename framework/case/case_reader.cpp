@@ -1,6 +1,7 @@
 #include "case/case_reader.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <utility>
 
 #include "case/framework_keys.hpp"
@@ -18,6 +19,7 @@ class CaseReader {
 
   void read() {
     check_names();
+    read_units();
     read_domain();
     read_kernel();
     read_initial();
@@ -64,8 +66,9 @@ class CaseReader {
 
   [[nodiscard]] CaseSection section(const std::string& path) const {
     const auto* const value = case_.tree->find_path(path);
-    if (value == nullptr || value->as<Value::Table>() == nullptr) return {path, nullptr, {case_.file, 1, 1}};
-    return {path, {case_.tree, value}, value->place};
+    if (value == nullptr || value->as<Value::Table>() == nullptr)
+      return {path, nullptr, {case_.file, 1, 1}, case_.units};
+    return {path, {case_.tree, value}, value->place, case_.units};
   }
 
   void read_keys(const CaseSection& from, const ParameterList& list, const std::vector<std::string>& other_keys = {}) {
@@ -130,13 +133,29 @@ class CaseReader {
     case_.run.precision = precision == "single" ? Precision::single_precision : Precision::double_precision;
   }
 
+  void read_units() {
+    const CaseSection units = section("units");
+    read_keys(units, case_keys::units(case_.units));
+    for (const auto& [key, name] :
+         {std::pair{"length", &case_.units.length}, {"time", &case_.units.time}, {"force", &case_.units.force}}) {
+      const bool word = !name->empty() && std::all_of(name->begin(), name->end(), [](unsigned char c) {
+        return std::isalpha(c) != 0 || c > 127;  // um, or with a Greek letter
+      });
+      if (word) continue;
+      problems_.add(units.place_of(key), units.full_key(key),
+                    "must be the name of a unit, letters alone, such as \"um\", but is \"" + *name + "\"");
+      *name = *key == 'l' ? "m" : (*key == 't' ? "s" : "N");
+    }
+  }
+
   void read_domain() {
     const CaseSection domain = section("domain");
     const auto* const value = case_.tree->find_path("domain.size");
     const auto* const list = value == nullptr ? nullptr : value->as<Value::List>();
     if (list != nullptr && list->size() == 3) {
       problems_.add(value->place, "domain.size",
-                    "must be a list of 2 numbers in m, since only two dimensions are built, but is " + shown(*value));
+                    "must be a list of 2 numbers in " + case_.units.length +
+                        ", since only two dimensions are built, but is " + shown(*value));
       read_keys(domain, {}, {"size", "boundary"});
     } else {
       read_keys(domain, case_keys::domain(case_.domain), {"boundary"});
@@ -177,7 +196,7 @@ class CaseReader {
     } else if (const auto* const name = value->as<std::string>()) {
       refuse_empty_name(value, path);
       auto table = std::make_shared<Value>(Value{Value::Table{{"type", value->place, *value}}, value->place});
-      case_.boundary = {*name, "boundary",   CaseSection(path, std::move(table), value->place),
+      case_.boundary = {*name, "boundary",   CaseSection(path, std::move(table), value->place, case_.units),
                         path,  value->place, {"type"}};
     } else {
       problems_.add(value->place, path,

@@ -25,12 +25,13 @@ class Checker {
     const double shortest = std::min(size[0], size[1]);
     const double particles = size[0] / spacing * (size[1] / spacing);
     if (shortest < fewest_spacings * spacing) {
-      refuse("particles.spacing", fmt::format("must be <= {} m, a quarter of the shortest edge of the box, but is {}",
-                                              shortest / fewest_spacings, spacing));
+      refuse("particles.spacing", fmt::format("must be <= {} {}, a quarter of the shortest edge of the box, but is {}",
+                                              shortest / fewest_spacings, case_.units.length, spacing));
     } else if (!(particles <= most_particles)) {
       refuse("particles.spacing",
-             fmt::format("must leave at most 2e9 particles, >= {:.4g} m in this box, but is {}, which gives {:.3g}",
-                         std::sqrt(size[0]) * std::sqrt(size[1]) / std::sqrt(most_particles), spacing, particles));
+             fmt::format("must leave at most 2e9 particles, >= {:.4g} {} in this box, but is {}, which gives {:.3g}",
+                         std::sqrt(size[0]) * std::sqrt(size[1]) / std::sqrt(most_particles), case_.units.length,
+                         spacing, particles));
     } else if (const auto problem = arrangement_problem(case_); !problem.empty()) {
       refuse("particles.spacing", problem);
     }
@@ -59,8 +60,8 @@ class Checker {
         return refuse(key, fmt::format("row {}: the charge must be 0.5 or -0.5, but is {}", row + 1, defect[2]));
       for (std::size_t axis = 0; axis < 2 && size.size() == 2; ++axis)
         if (!(defect[axis] >= 0.0 && defect[axis] < size[axis]))
-          return refuse(key, fmt::format("row {}: must lie in the box, {} from 0 to {} m, but is at {}", row + 1,
-                                         axis == 0 ? "x" : "y", size[axis], defect[axis]));
+          return refuse(key, fmt::format("row {}: must lie in the box, {} from 0 to {} {}, but is at {}", row + 1,
+                                         axis == 0 ? "x" : "y", size[axis], case_.units.length, defect[axis]));
       for (std::size_t other = 0; other < row; ++other)
         if (rows[other][0] == defect[0] && rows[other][1] == defect[1])
           return refuse(key, fmt::format("rows {} and {} are at the same place", other + 1, row + 1));

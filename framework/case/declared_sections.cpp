@@ -64,6 +64,7 @@ std::vector<SectionForm> forms_of(const std::string& section) {
   ObserverTiming timing;
   std::int64_t every = 0;
   if (section.empty()) return one_form(case_keys::title(any.title));
+  if (section == "units") return one_form(case_keys::units(any.units));
   if (section == "domain") return one_form(case_keys::domain(any.domain));
   if (section == "particles") return by_choice("arrangement", &Case::Particles::arrangement, case_keys::particles);
   if (section == "kernel")

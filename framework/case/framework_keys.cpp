@@ -18,6 +18,10 @@ bool applies(const Section& section, const std::string& key) {
 const std::vector<Section>& sections() {
   static const std::vector<Section> all = {
       {.name = "", .doc = "Before the first section."},
+      {.name = "units",
+       .doc =
+           "Units of all numbers of the case, for messages, pictures and results. No number is converted: with um, s "
+           "and pN a viscosity is in pN s/um2, a density in pN s2/um4."},
       {.name = "domain", .doc = "The box.", .required = true},
       {.name = "domain.boundary",
        .doc =
@@ -51,6 +55,14 @@ const std::vector<Section>& sections() {
 ParameterList title(std::string& title) {
   ParameterList list;
   list.text("title", title).doc("what the case is, for people");
+  return list;
+}
+
+ParameterList units(Units& units) {
+  ParameterList list;
+  list.text("length", units.length).doc("unit of lengths, such as um");
+  list.text("time", units.time).doc("unit of times, such as ms");
+  list.text("force", units.force).doc("unit of forces, such as pN");
   return list;
 }
 
@@ -155,8 +167,8 @@ ParameterList output(Case::Output& output) {
           "shortened for that, so another interval changes the steps, and rounding with them")
       .above(0.0);
   list.number("checkpoint_interval", output.checkpoint_interval)
-      .unit("s")
-      .doc("wall time between checkpoints, from which a run that was broken off goes on; only the newest two stay")
+      .unit("s of wall time")
+      .doc("time between checkpoints, from which a run that was broken off goes on; only the newest two stay")
       .above(0.0);
   list.numbers("checkpoint_times", output.checkpoint_times)
       .unit("s")

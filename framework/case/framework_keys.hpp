@@ -24,6 +24,7 @@ struct Section {
 const std::vector<Section>& sections();
 
 ParameterList title(std::string& title);
+ParameterList units(Units& units);
 ParameterList domain(Case::Domain& domain);
 ParameterList particles(Case::Particles& particles);
 ParameterList kernel(double& smoothing_length_ratio, std::string& laplacian);

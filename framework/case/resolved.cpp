@@ -23,6 +23,7 @@ ResolvedCase::ResolvedCase(const Case& source)
                         : std::make_unique<Value>(Value::Table{}, SourcePlace{source.file})) {
   Case copy = source;
   std::string precision = copy.run.precision == Precision::single_precision ? "single" : "double";
+  if (!copy.units.si()) fill(*tree_, "units", case_keys::units(copy.units));
   fill(*tree_, "domain", case_keys::domain(copy.domain));
   fill(*tree_, "particles", case_keys::particles(copy.particles));
   fill(*tree_, "kernel", case_keys::kernel(copy.smoothing_length_ratio, copy.laplacian));

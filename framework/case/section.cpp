@@ -38,7 +38,8 @@ class SectionReader {
   }
 
   void take(const Value* table) {
-    for (const auto& parameter : list_.all()) {
+    for (Parameter parameter : list_.all()) {
+      parameter.unit_text = section_.units().text(parameter.unit_text);
       const Value* const value = table == nullptr ? nullptr : table->find_path(parameter.name);
       if (value != nullptr) {
         if (const auto refusal = take_value(parameter, *value))
@@ -102,8 +103,8 @@ class SectionReader {
 
 CaseSection::CaseSection() = default;
 
-CaseSection::CaseSection(std::string path, std::shared_ptr<const Value> table, SourcePlace place)
-    : path_(std::move(path)), table_(std::move(table)), place_(std::move(place)) {}
+CaseSection::CaseSection(std::string path, std::shared_ptr<const Value> table, SourcePlace place, Units units)
+    : path_(std::move(path)), table_(std::move(table)), place_(std::move(place)), units_(std::move(units)) {}
 
 std::string CaseSection::name() const { return path_.substr(path_.rfind('.') + 1); }
 

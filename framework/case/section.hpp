@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "case/problems.hpp"
+#include "case/units.hpp"
 #include "mesogen/export.hpp"
 #include "mesogen/plugin/parameters.hpp"
 
@@ -18,13 +19,15 @@ class MESOGEN_EXPORT CaseSection {
  public:
   CaseSection();
   /// `table` may be null for a missing section; `place` is what errors about the whole section point to.
-  CaseSection(std::string path, std::shared_ptr<const Value> table, SourcePlace place);
+  /// `units`: those of its numbers, for messages.
+  CaseSection(std::string path, std::shared_ptr<const Value> table, SourcePlace place, Units units = {});
 
   /// "physics.flow"
   [[nodiscard]] const std::string& path() const { return path_; }
   /// "flow"
   [[nodiscard]] std::string name() const;
   [[nodiscard]] const SourcePlace& place() const { return place_; }
+  [[nodiscard]] const Units& units() const { return units_; }
   [[nodiscard]] bool given() const { return table_ != nullptr; }
   [[nodiscard]] bool has(std::string_view key) const;
   /// Place of the value of a key ("bulk.A" too), or of the innermost table that is there.
@@ -45,6 +48,7 @@ class MESOGEN_EXPORT CaseSection {
   std::string path_;
   std::shared_ptr<const Value> table_;
   SourcePlace place_;
+  Units units_;
 };
 
 }  // namespace mesogen

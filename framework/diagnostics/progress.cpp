@@ -34,7 +34,8 @@ Progress::Style Progress::style_for(int descriptor, bool quiet) {
   return isatty(descriptor) != 0 ? Style::terminal : Style::plain;
 }
 
-void Progress::start(double time, std::int64_t step, double end) {
+void Progress::start(double time, std::int64_t step, double end, const std::string& time_unit) {
+  time_unit_ = time_unit;
   start_ = time;
   end_ = end;
   begun_ = measured_ = written_ = clock_();
@@ -61,8 +62,8 @@ void Progress::finish(double time, std::int64_t step) {
   const double elapsed = clock_() - begun_;
   const auto steps = step - first_step_;
   const double rate = elapsed > 0.0 ? static_cast<double>(steps) / elapsed : 0.0;
-  write(fmt::format("{:3.0f} %  t = {:.6g} of {:.6g} s  {} steps in {}  {:.4g} steps/s", percent(time), time, end_,
-                    steps, duration_text(elapsed), rate));
+  write(fmt::format("{:3.0f} %  t = {:.6g} of {:.6g} {}  {} steps in {}  {:.4g} steps/s", percent(time), time, end_,
+                    time_unit_, steps, duration_text(elapsed), rate));
   if (style_ == Style::terminal) out_ << '\n' << std::flush;
 }
 
@@ -81,7 +82,8 @@ void Progress::measure(double now, double time, std::int64_t step) {
 double Progress::percent(double time) const { return end_ > 0.0 ? std::clamp(100.0 * time / end_, 0.0, 100.0) : 100.0; }
 
 std::string Progress::line(double time) const {
-  std::string text = fmt::format("{:3.0f} %  t = {:.4g} of {:.4g} s", std::floor(percent(time)), time, end_);
+  std::string text =
+      fmt::format("{:3.0f} %  t = {:.4g} of {:.4g} {}", std::floor(percent(time)), time, end_, time_unit_);
   if (speed_ > 0.0)
     text += fmt::format("  {:.4g} steps/s  {} left", steps_per_second_, duration_text((end_ - time) / speed_));
   return text;

@@ -22,8 +22,8 @@ class MESOGEN_EXPORT Progress {
   /// Silent if quiet, else by whether the file descriptor (1 stdout, 2 stderr) is a terminal.
   static Style style_for(int descriptor, bool quiet);
 
-  /// The run stands at (time, step), s of simulated time, and will go on to `end`.
-  void start(double time, std::int64_t step, double end);
+  /// The run stands at (time, step), simulated time in `time_unit`, and will go on to `end`.
+  void start(double time, std::int64_t step, double end, const std::string& time_unit = "s");
   /// After each step. Writes seldom enough to cost nothing.
   void update(double time, std::int64_t step);
   /// After the last step, also of a run that was interrupted: leaves a complete line.
@@ -38,6 +38,7 @@ class MESOGEN_EXPORT Progress {
   std::ostream& out_;
   Style style_;
   Clock clock_;
+  std::string time_unit_;
   double start_ = 0.0;
   double end_ = 0.0;
   double begun_ = 0.0;         ///< wall time

@@ -35,12 +35,13 @@ std::optional<Advice> nothing_grows(const AdviceInput& input) {
     const double middle = (below + above) / 2.0;
     (grows(*fluid, setup, middle) ? above : below) = middle;
   }
-  return Advice{"nothing_grows",
-                fmt::format("the activity, {:.3g} Pa, is below the threshold of {:.3g} Pa in this box: all waves of "
-                            "the director decay, and nothing starts to flow",
-                            fluid->activity, above),
-                {setting(key, 2.0 * above)},
-                "the longest waves grow and the fluid flows by itself; a larger box lowers the threshold too"};
+  return Advice{
+      "nothing_grows",
+      fmt::format("the activity, {0:.3g} {2}, is below the threshold of {1:.3g} {2} in this box: all waves of "
+                  "the director decay, and nothing starts to flow",
+                  fluid->activity, above, setup.source.units.text("Pa")),
+      {setting(key, 2.0 * above)},
+      "the longest waves grow and the fluid flows by itself; a larger box lowers the threshold too"};
 }
 
 // Small order of the wave number k grows at the rate lambda zeta / (2 mu) - Gamma (A + K k^2), aligned by the flow that
@@ -61,7 +62,8 @@ std::optional<Advice> no_order(const AdviceInput& input) {
   if (!(c > 0.0)) settings.push_back(setting(key_of(setup, "bulk.C"), wanted / 2.0));
   return Advice{
       "no_order",
-      fmt::format("{}, {:.3g} Pa, is not below 0: the order decays, and with it all that the activity acts on", key, a),
+      fmt::format("{}, {:.3g} {}, is not below 0: the order decays, and with it all that the activity acts on", key, a,
+                  setup.source.units.text("Pa")),
       std::move(settings), "the nematic keeps an order of 1"};
 }
 

@@ -20,6 +20,8 @@ Rule few_neighbours;
 // advice_sound.cpp
 Rule sound_too_slow;
 Rule sound_too_fast;
+// advice_inertia.cpp
+Rule no_inertia;
 // advice_cost.cpp
 Rule double_precision;
 Rule short_step;

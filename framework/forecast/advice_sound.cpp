@@ -24,8 +24,9 @@ std::optional<Advice> sound_too_slow(const AdviceInput& input) {
   const bool free = input.steps.limit.find("sound") == std::string::npos && !input.steps.fixed;
   return automatic_sound(
       input.setup, "sound_too_slow",
-      fmt::format("the sound, {:.3g} m/s, is slower than this flow and its stresses ask for, {:.3g} m/s{}", sound,
-                  automatic, free ? "; faster sound costs nothing up to there" : ""),
+      fmt::format("the sound, {0:.3g} {3}, is slower than this flow and its stresses ask for, {1:.3g} {3}{2}", sound,
+                  automatic, free ? "; faster sound costs nothing up to there" : "",
+                  input.setup.source.units.text("m/s")),
       fmt::format("density varies some {:.2g} times less", square));
 }
 
@@ -36,9 +37,9 @@ std::optional<Advice> sound_too_fast(const AdviceInput& input) {
       input.steps.limit.find("sound") == std::string::npos)
     return std::nullopt;
   return automatic_sound(input.setup, "sound_too_fast",
-                         fmt::format("the sound, {:.3g} m/s, binds the step and is faster than this flow and its "
-                                     "stresses ask for, {:.3g} m/s",
-                                     sound, automatic),
+                         fmt::format("the sound, {0:.3g} {2}, binds the step and is faster than this flow and its "
+                                     "stresses ask for, {1:.3g} {2}",
+                                     sound, automatic, input.setup.source.units.text("m/s")),
                          fmt::format("{:.2g} times fewer steps", sound / automatic));
 }
 

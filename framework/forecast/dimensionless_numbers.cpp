@@ -1,5 +1,7 @@
 #include "forecast/dimensionless_numbers.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -46,6 +48,7 @@ class Numbers {
     core();
     active_scales();
     flow();
+    creeping();
     instability();
     return std::move(numbers_);
   }
@@ -53,6 +56,11 @@ class Numbers {
  private:
   void add(const char* name, double value, const char* unit, std::string meaning) {
     if (value > 0.0 && std::isfinite(value)) numbers_.push_back({name, value, unit, std::move(meaning)});
+  }
+
+  /// That of the fluid, also where its momentum is computed with another.
+  [[nodiscard]] double physical_density() const {
+    return of_("physical_density") > 0.0 ? of_("physical_density") : of_("density");
   }
 
   void core() {
@@ -76,7 +84,7 @@ class Numbers {
     const double speed = length * activity / of_("rotational_diffusivity");
     add("paper_speed", speed, "m/s",
         "v_Q = l_Q |zeta| / Gamma as the literature has it, Gamma's number taken for a viscosity");
-    add("reynolds_active", of_("density") * speed * length / viscosity, "1", "rho v_Q l_Q / mu");
+    add("reynolds_active", physical_density() * speed * length / viscosity, "1", "rho v_Q l_Q / mu");
   }
 
   void flow() {
@@ -86,16 +94,25 @@ class Numbers {
     add("speed", speed, "m/s",
         scene_.scales.speed > 0.0 ? "u, as expected, at the start or at a wall"
                                   : "u = |zeta| l_Q / mu; none is expected");
-    add("reynolds_box", of_("density") * speed * box_ / viscosity, "1", "rho u L / mu");
+    add("reynolds_box", physical_density() * speed * box_ / viscosity, "1", "rho u L / mu");
     add("mach", speed / of_("sound_speed"), "1", "u / c0");
     add("ericksen", viscosity * speed * box_ / of_("elastic_constant"), "1", "mu u L / K, viscous over elastic stress");
+  }
+
+  void creeping() {
+    if (!(of_("physical_density") > 0.0)) return;
+    const double ratio = of_("relaxation_ratio");
+    add("artificial_density", of_("density"), "kg/m3",
+        fmt::format("of the momentum equation, as inertia = false: momentum relaxes at least {:.3g} times faster than "
+                    "the nematic changes, so growth rates are up to {:.2g} % too low",
+                    ratio, 100.0 / ratio));
   }
 
   // Does the fluid's mass matter? By the box: what fills it comes to rest last.
   void instability() {
     const bool periodic = scene_.periodic[0] && scene_.periodic[1];
     const double longest = *std::max_element(scene_.box.begin(), scene_.box.begin() + scene_.dimension);
-    const double inertial = of_("viscosity") > 0.0 ? of_("density") * longest * longest /
+    const double inertial = of_("viscosity") > 0.0 ? physical_density() * longest * longest /
                                                          (4.0 * std::numbers::pi * std::numbers::pi * of_("viscosity"))
                                                    : 0.0;
     add("inertial_time", inertial, "s", "rho L^2 / (4 pi^2 mu), the longest wave's relaxation by viscosity");

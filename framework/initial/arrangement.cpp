@@ -57,8 +57,9 @@ std::string arrangement_problem(const Case& source) {
   for (std::size_t axis = 0; axis < 2; ++axis) {
     const double fitting = size[axis] / count[axis];
     if (std::abs(fitting / spacing - 1.0) <= 0.01) continue;
-    return fmt::format("does not fit the box: {} m are {:.2f} spacings along {}; {:.6g} m would make it {}", size[axis],
-                       size[axis] / spacing, axis == 0 ? "x" : "y", fitting, count[axis]);
+    return fmt::format("does not fit the box: {0} {1} are {2:.2f} spacings along {3}; {4:.6g} {1} would make it {5}",
+                       size[axis], source.units.length, size[axis] / spacing, axis == 0 ? "x" : "y", fitting,
+                       count[axis]);
   }
   return {};
 }
@@ -70,12 +71,15 @@ std::string fitted_spacing_text(const Case& source) {
   const bool hexagonal = source.particles.arrangement == "hexagonal";
   const double column = size[0] / columns;
   const double row = size[1] / rows;
+  const std::string& unit = source.units.length;
   const Hexagonal regular(spacing);
   const auto differs = [](double fitted, double wanted) { return std::abs(fitted / wanted - 1.0) > 1e-9; };
   if (!differs(column, hexagonal ? regular.column : spacing) && !differs(row, hexagonal ? regular.row : spacing))
     return {};
-  if (hexagonal) return fmt::format("columns {:.6g} m and rows {:.6g} m apart, so that they fit the box", column, row);
-  return fmt::format("spacing {:.6g} m along x, {:.6g} m along y, so that whole rows fit the box", column, row);
+  if (hexagonal)
+    return fmt::format("columns {:.6g} {} and rows {:.6g} {} apart, so that they fit the box", column, unit, row, unit);
+  return fmt::format("spacing {:.6g} {} along x, {:.6g} {} along y, so that whole rows fit the box", column, unit, row,
+                     unit);
 }
 
 Arrangement arrange(const Case& source) {

@@ -17,7 +17,7 @@ namespace mesogen {
 /// What is written of a run whatever its plugins are.
 struct ResultsOptions {
   std::filesystem::path folder;  ///< made ready by start_run_folder()
-  std::array<double, 3> box{};   ///< edges, m
+  std::array<double, 3> box{};   ///< edges
   int dimension = 2;
   std::vector<bool> periodic;  ///< by axis
   std::string case_text;       ///< resolved
@@ -26,6 +26,8 @@ struct ResultsOptions {
   std::int64_t seed = 0;
   Index count = 0;  ///< particles
   std::optional<BranchOrigin> origin = std::nullopt;
+  std::string length_unit = "m";
+  std::string time_unit = "s";
 };
 
 namespace output {

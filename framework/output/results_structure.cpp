@@ -53,13 +53,14 @@ void write_box(const Id& fluid, const ResultsOptions& options) {
     edges.push_back(options.box.at(axis));
   }
   hdf5::write_attribute(box, "boundary", boundary);
-  write_unit(hdf5::write(box, "edges", {edges.size()}, edges), "m");
+  write_unit(hdf5::write(box, "edges", {edges.size()}, edges), options.length_unit);
 }
 
 /// The datasets `step` and `time` of an H5MD element.
-void write_times(const Id& element, const std::vector<std::int64_t>& steps, const std::vector<double>& times) {
+void write_times(const Id& element, const std::vector<std::int64_t>& steps, const std::vector<double>& times,
+                 const std::string& unit) {
   hdf5::write(element, "step", {steps.size()}, steps);
-  write_unit(hdf5::write(element, "time", {times.size()}, times), "s");
+  write_unit(hdf5::write(element, "time", {times.size()}, times), unit);
 }
 
 /// H5MD lets elements share one `step` and one `time` by hard links.
@@ -68,7 +69,8 @@ void link_times(const Id& first, const Id& element) {
     hdf5::check(H5Lcreate_hard(first.get(), name, element.get(), name, H5P_DEFAULT, H5P_DEFAULT), "link the times");
 }
 
-void write_observer(const Id& observables, const std::string& name, const ObserverSeries& series) {
+void write_observer(const Id& observables, const std::string& name, const ObserverSeries& series,
+                    const std::string& time_unit) {
   const Id observer = hdf5::create_group(observables, name);
   const Id* first = nullptr;
   std::vector<Id> elements;
@@ -76,7 +78,7 @@ void write_observer(const Id& observables, const std::string& name, const Observ
   for (const auto& [quantity_name, quantity] : series.quantities) {
     const Id& element = elements.emplace_back(hdf5::create_group(observer, quantity_name));
     if (first == nullptr)
-      write_times(element, series.steps, series.times);
+      write_times(element, series.steps, series.times, time_unit);
     else
       link_times(*first, element);
     if (first == nullptr) first = &element;
@@ -124,7 +126,7 @@ void write_fields(const Id& fluid, const ResultsOptions& options, const ResultsC
   for (const FieldShape& field : content.fields) {
     const Id& element = elements.emplace_back(hdf5::create_group(fluid, field.name));
     if (elements.size() == 1)
-      write_times(element, steps, times);
+      write_times(element, steps, times, options.time_unit);
     else
       link_times(elements.front(), element);
     const hdf5::Dimensions sizes =
@@ -156,7 +158,8 @@ void write_structure(const hdf5::Id& file, const ResultsOptions& options, const 
   hdf5::write(fluid, "id", {id.size()}, id);
   write_fields(fluid, options, content, layout);
   const Id observables = hdf5::create_group(file, "observables");
-  for (const auto& [name, series] : content.samples.observers()) write_observer(observables, name, series);
+  for (const auto& [name, series] : content.samples.observers())
+    write_observer(observables, name, series, options.time_unit);
 }
 
 }  // namespace mesogen::output

@@ -11,7 +11,7 @@ namespace mesogen {
 /// Hands the text of a moment of a run to `write`, piece by piece: " at step 3, t = 0.02 s". Allocates nothing, so a
 /// signal handler may use it.
 template <class Write>
-void write_moment(std::int64_t step, double time, Write&& write) {
+void write_moment(std::int64_t step, double time, std::string_view time_unit, Write&& write) {
   std::array<char, 32> digits{};
   const auto number = [&](auto... how) {
     const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), how...).ptr;
@@ -21,7 +21,8 @@ void write_moment(std::int64_t step, double time, Write&& write) {
   number(step);
   write(std::string_view(", t = "));
   number(time, std::chars_format::general, 6);
-  write(std::string_view(" s"));
+  write(std::string_view(" "));
+  write(time_unit);
 }
 
 /// The same for the text of a call.
@@ -38,7 +39,7 @@ void write_call(const PluginCall& call, Write&& write) {
   if (!call.subject.empty()) {
     for (const std::string_view piece : {std::string_view(" \""), call.subject, std::string_view("\"")}) write(piece);
   }
-  if (call.step != nullptr && call.time != nullptr) write_moment(*call.step, *call.time, write);
+  if (call.step != nullptr && call.time != nullptr) write_moment(*call.step, *call.time, call.time_unit, write);
 }
 
 }  // namespace mesogen

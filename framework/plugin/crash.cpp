@@ -84,7 +84,7 @@ void tell(std::string_view what) {
   const CrashAdvice* const known = advice.load();
   if (calls == nullptr) put("outside of any plugin, Mesogen");
   const bool moment = put_calls(calls);
-  if (!moment && known != nullptr) write_moment(known->step, known->time, put);
+  if (!moment && known != nullptr) write_moment(known->step, known->time, known->time_unit, put);
   put(what);
   put("\n");
   if (known == nullptr || *known->text() == '\0') return;
@@ -199,8 +199,8 @@ void tell_of_crashes_in_threads() {
   use_signal_stack();
 }
 
-CrashAdvice::CrashAdvice(const std::int64_t& step_of_run, const double& time_of_run)
-    : step(step_of_run), time(time_of_run) {
+CrashAdvice::CrashAdvice(const std::int64_t& step_of_run, const double& time_of_run, std::string unit)
+    : step(step_of_run), time(time_of_run), time_unit(std::move(unit)) {
   advice.store(this);
 }
 CrashAdvice::~CrashAdvice() { advice.store(nullptr); }

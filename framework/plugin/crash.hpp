@@ -26,8 +26,8 @@ MESOGEN_EXPORT void tell_of_crashes_in_threads();
 /// What a crash of a run is told with: the moment, and how to go on. One at a time.
 class MESOGEN_EXPORT CrashAdvice {
  public:
-  /// Both must outlive it.
-  CrashAdvice(const std::int64_t& step, const double& time);
+  /// Step and time must outlive it.
+  CrashAdvice(const std::int64_t& step, const double& time, std::string time_unit = "s");
   ~CrashAdvice();
   CrashAdvice(const CrashAdvice&) = delete;
   CrashAdvice& operator=(const CrashAdvice&) = delete;
@@ -37,6 +37,7 @@ class MESOGEN_EXPORT CrashAdvice {
 
   const std::int64_t& step;
   const double& time;
+  const std::string time_unit;
   /// The sentence; empty if there is none.
   [[nodiscard]] const char* text() const { return texts_[current_.load()].c_str(); }
 

@@ -19,7 +19,8 @@ struct PluginCall {
   std::string_view section = {};       ///< while a case runs, "physics." or "observers."; empty if `instance` has it
   std::string_view instance = {};      ///< while a case runs, "flow"
   const std::int64_t* step = nullptr;  ///< while a case runs; read when the text is made
-  const double* time = nullptr;        ///< s; likewise
+  const double* time = nullptr;        ///< likewise
+  std::string_view time_unit = "s";    ///< of the case
 };
 
 /// That text.

@@ -147,7 +147,8 @@ void Executor::run(Work& work) {
                         .subject = work.pass.name,
                         .instance = work.owner,
                         .step = &world_.step,
-                        .time = &world_.time};
+                        .time = &world_.time,
+                        .time_unit = world_.units.time};
   call_plugin(call, ExitCode::run_failed, [&] {
     work.pass.body(WorkContext(world_, work));
     world_.end_of_work();

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "case/units.hpp"
 #include "diagnostics/trace.hpp"
 #include "domain/copy_rules.hpp"
 #include "domain/neighbourhood.hpp"
@@ -35,6 +36,7 @@ class MESOGEN_EXPORT World {
   Particles particles;
   Neighbourhood neighbourhood;
   FieldStore fields;
+  Units units;              ///< of the case, for messages
   double time = 0.0;        ///< s
   double step_size = 0.0;   ///< s; 0 when rates are evaluated without a step
   std::int64_t step = 0;    ///< steps done

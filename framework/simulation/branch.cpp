@@ -48,7 +48,8 @@ std::vector<KeptCheckpoint> all_checkpoints(const fs::path& folder) {
   return all;
 }
 
-[[noreturn]] void refuse_time(const fs::path& folder, double at, const std::vector<KeptCheckpoint>& all) {
+[[noreturn]] void refuse_time(const fs::path& folder, double at, const std::vector<KeptCheckpoint>& all,
+                              const Units& units) {
   std::vector<double> times;
   for (const KeptCheckpoint& one : all) times.push_back(one.time);
   std::ranges::sort(times);
@@ -61,20 +62,20 @@ std::vector<KeptCheckpoint> all_checkpoints(const fs::path& folder) {
   for (const double time : times) texts.push_back(fmt::format("{:.12g}", time));
   throw Error(ExitCode::bad_case,
               times.empty() ? fmt::format("{} holds no checkpoint to branch from", folder.string())
-                            : fmt::format("{} holds no checkpoint at t = {} s. {} t = {} s. A run with "
-                                          "output.checkpoint_times = [{}] keeps one there",
+                            : fmt::format("{0} holds no checkpoint at t = {1} {4}. {2} t = {3} {4}. A run with "
+                                          "output.checkpoint_times = [{1}] keeps one there",
                                           folder.string(), at, more ? "The nearest are at" : "There are those at",
-                                          fmt::join(texts, ", "), at));
+                                          fmt::join(texts, ", "), units.time));
 }
 
-Found find_checkpoint(const BranchPoint& from) {
+Found find_checkpoint(const BranchPoint& from, const Units& units) {
   Found found;
   if (!from.at) {
     found.checkpoint = read_newest_checkpoint(from.folder, &found.file);
   } else {
     const auto all = all_checkpoints(from.folder);
     const auto at = std::ranges::find_if(all, [&](const KeptCheckpoint& one) { return same_time(one.time, *from.at); });
-    if (at == all.end()) refuse_time(from.folder, *from.at, all);
+    if (at == all.end()) refuse_time(from.folder, *from.at, all, units);
     found.file = at->name;
     found.checkpoint = read_checkpoint(from.folder / at->name);
   }
@@ -117,14 +118,15 @@ ExitCode branch_run(const PluginRegistry& registry, const BranchPoint& from, con
   Case source = read_case_text(text, file, changes, problems);
   if (problems.empty()) check_branched_case(before->source, source, problems);
   const auto after = set_up(std::move(source), registry, problems);
-  Found found = find_checkpoint(from);
+  Found found = find_checkpoint(from, after->source.units);
   check_branched_setup(*before, *after, found.checkpoint, problems);
   problems.throw_if_any();
   const std::string name = (from.folder / found.file).string();
   const Checkpoint first = first_checkpoint(*before, *after, from, changes, std::move(found));
   const RunLock lock = start_run_folder(options.folder, after->resolved_text, options.overwrite, &first);
-  log.info(fmt::format("branching from {} at t = {} s, step {}, to t = {} s", name, rounded_text(first.time),
-                       first.step, rounded_text(after->source.time.end)));
+  log.info(fmt::format("branching from {} at t = {}, step {}, to t = {}", name,
+                       time_text(first.time, after->source.units), first.step,
+                       time_text(after->source.time.end, after->source.units)));
   return continue_session(*after, first, options, log, progress);
 }
 

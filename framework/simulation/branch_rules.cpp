@@ -121,11 +121,11 @@ void check_branched_setup(const Setup& before, const Setup& after, const Checkpo
   check_fields(after, checkpoint, problems);
   check_numbers(after, checkpoint, problems);
   if (!(source.time.end > checkpoint.time))
-    problems.add(
-        source.place("time.end"), "time.end",
-        fmt::format("must be later than the branch, t = {} s, but is {} s: say how long it is to go on, such as "
-                    "--set time.end={}",
-                    rounded_text(checkpoint.time), rounded_text(source.time.end), rounded_text(2.0 * checkpoint.time)));
+    problems.add(source.place("time.end"), "time.end",
+                 fmt::format("must be later than the branch, t = {}, but is {}: say how long it is to go on, such as "
+                             "--set time.end={}",
+                             time_text(checkpoint.time, source.units), time_text(source.time.end, source.units),
+                             rounded_text(2.0 * checkpoint.time)));
 }
 
 bool same_cells(const Setup& before, const Setup& after) {

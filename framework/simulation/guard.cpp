@@ -122,7 +122,7 @@ void Guard::check_finite(const Motion& motion) const {
 void Guard::check_speed(const Motion& motion) const {
   if (!(motion.fastest * world_.step_size > farthest * world_.scene.spacing)) return;
   const Index place = farthest_outside(*integrator_.velocity(), world_.particles.count(), 0.0, 0.0);
-  stop("ran away: the largest speed, " + rounded_text(motion.fastest) + " m/s of " + particle(place) +
+  stop("ran away: the largest speed, " + rounded_text(motion.fastest) + " " + unit("m/s") + " of " + particle(place) +
            ", carries it over " + rounded_text(farthest) + " spacings in one step",
        calmer());
 }
@@ -138,11 +138,11 @@ void Guard::check_step(const Motion& motion) const {
   const std::string acceleration =
       integrator_.acceleration() == nullptr
           ? ""
-          : ", and acceleration, " + largest(integrator_.acceleration(), motion.largest_acceleration, "m/s2");
+          : ", and acceleration, " + largest(integrator_.acceleration(), motion.largest_acceleration, unit("m/s2"));
   const std::string ask = acceleration.empty() ? "asks" : "ask";
-  stop("ran away: the largest speed, " + largest(integrator_.velocity(), motion.fastest, "m/s") + acceleration + ", " +
-           ask + " for steps of " + rounded_text(next) + " s (" + limit + "), where the fluid at rest allows " +
-           rounded_text(control_.at_rest()) + " s",
+  stop("ran away: the largest speed, " + largest(integrator_.velocity(), motion.fastest, unit("m/s")) + acceleration +
+           ", " + ask + " for steps of " + rounded_text(next) + " " + unit("s") + " (" + limit +
+           "), where the fluid at rest allows " + rounded_text(control_.at_rest()) + " " + unit("s"),
        "If the flow is meant to be so fast, give the step by time.step");
 }
 
@@ -192,9 +192,10 @@ std::string Guard::particle(Index place) const {
 }
 
 void Guard::stop(const std::string& what, const std::string& remedy) const {
-  throw Error(ExitCode::run_failed, "the run " + what + " at t = " + rounded_text(world_.time) + " s (step " +
-                                        std::to_string(world_.step) + ", step size " + rounded_text(world_.step_size) +
-                                        " s). " + remedy + "; the frames before are kept");
+  throw Error(ExitCode::run_failed, "the run " + what + " at t = " + rounded_text(world_.time) + " " + unit("s") +
+                                        " (step " + std::to_string(world_.step) + ", step size " +
+                                        rounded_text(world_.step_size) + " " + unit("s") + "). " + remedy +
+                                        "; the frames before are kept");
 }
 
 }  // namespace mesogen

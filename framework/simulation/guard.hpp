@@ -43,6 +43,7 @@ class MESOGEN_EXPORT Guard {
   /// What to do where particles are too fast, or lie unevenly.
   [[nodiscard]] std::string calmer() const;
   [[nodiscard]] std::string particle(Index place) const;
+  [[nodiscard]] std::string unit(std::string_view declared) const { return world_.units.text(declared); }
   [[noreturn]] void stop(const std::string& what, const std::string& remedy) const;
 
   World& world_;

@@ -46,7 +46,8 @@ void call(const World& world, const Setup::ObserverMember& member, const char* n
                         .section = "observers.",
                         .instance = member.instance,
                         .step = &world.step,
-                        .time = &world.time};
+                        .time = &world.time,
+                        .time_unit = world.units.time};
   call_plugin(call, ExitCode::run_failed, std::forward<Action>(action));
 }
 
@@ -63,7 +64,10 @@ Observation::Observation(Stepper& stepper) : stepper_(stepper) {
 
 void Observation::declare(ResultsWriter& results) const {
   for (const auto& member : stepper_.setup().observers)
-    for (const Quantity& quantity : member.plan.quantities()) results.declare_observable(member.instance, quantity);
+    for (Quantity quantity : member.plan.quantities()) {
+      quantity.unit(stepper_.world().units.text(quantity.unit_text));
+      results.declare_observable(member.instance, quantity);
+    }
 }
 
 void Observation::start() {
@@ -156,7 +160,8 @@ std::vector<FrameField> Observation::frame() {
   const int dimension = world.scene.dimension;
   std::vector<FrameField> fields;
   const std::size_t size = count * static_cast<std::size_t>(dimension);
-  FrameField position{"position", "m", dimension, std::vector<double>(size), NumberType::float64, Rank::vector};
+  FrameField position{"position",          world.units.length, dimension, std::vector<double>(size),
+                      NumberType::float64, Rank::vector};
   // H5MD's name for the boxes that a particle has crossed.
   FrameField image{"image", "1", dimension, std::vector<double>(size), NumberType::int32, Rank::vector};
   for (std::size_t i = 0; i < count; ++i) {
@@ -179,7 +184,7 @@ std::vector<FrameField> Observation::frame() {
     const Field& field = world.fields.at(name);
     const int components = field.components();
     FrameField stored{name,
-                      setup.catalogue.unit(name),
+                      world.units.text(setup.catalogue.unit(name)),
                       components,
                       std::vector<double>(count * static_cast<std::size_t>(components)),
                       world.single() ? NumberType::float32 : NumberType::float64,

@@ -126,7 +126,10 @@ output::SampleStore Replay::run() {
   Observation observation(stepper);
   output::SampleStore samples;
   for (const auto& member : setup_.observers)
-    for (const Quantity& quantity : member.plan.quantities()) samples.declare(member.instance, quantity);
+    for (Quantity quantity : member.plan.quantities()) {
+      quantity.unit(setup_.source.units.text(quantity.unit_text));
+      samples.declare(member.instance, quantity);
+    }
   const std::vector<bool> all(setup_.observers.size() + 1, true);
   for (std::size_t frame = 0; frame < frames_.count(); ++frame) {
     show(frame, stepper.world());
@@ -168,9 +171,10 @@ ExitCode replay_run(const PluginRegistry& registry, const ReplayOptions& options
   const StoredFrames frames(results);
   if (frames.count() == 0)
     throw Error(ExitCode::bad_case, options.folder.string() + " holds no frames yet: there is nothing to replay");
-  log.info(fmt::format("{} observers look at {} frames, from t = {} to {} s, each at all of them whatever its interval",
-                       setup->observers.size(), frames.count(), rounded_text(frames.stamp(0).time),
-                       rounded_text(frames.stamp(frames.count() - 1).time)));
+  log.info(
+      fmt::format("{} observers look at {} frames, from t = {} to {} {}, each at all of them whatever its interval",
+                  setup->observers.size(), frames.count(), rounded_text(frames.stamp(0).time),
+                  rounded_text(frames.stamp(frames.count() - 1).time), setup->source.units.time));
   write_samples(output, results, Replay(*setup, frames, options.folder, log).run());
   log.info("samples are in " + output.string());
   return ExitCode::done;

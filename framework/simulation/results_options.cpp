@@ -8,6 +8,8 @@ ResultsOptions results_options(const Setup& setup, const std::filesystem::path& 
   ResultsOptions o;
   o.folder = folder;
   o.box = setup.scene.box;
+  o.length_unit = setup.source.units.length;
+  o.time_unit = setup.source.units.time;
   o.dimension = setup.scene.dimension;
   o.periodic.assign(setup.scene.periodic.begin(), setup.scene.periodic.begin() + o.dimension);
   o.case_text = setup.resolved_text;

@@ -25,11 +25,11 @@ bool off_course(const Checkpoint& checkpoint, double end) {
   return checkpoint.shortened_for && *checkpoint.shortened_for != end;
 }
 
-std::string finished_text(const std::filesystem::path& folder, double time) {
+std::string finished_text(const std::filesystem::path& folder, double time, const Units& units) {
   return fmt::format(
-      "this run is finished, at t = {} s, and left as it is. `mesogen resume {} --set time.end={}` extends "
+      "this run is finished, at t = {}, and left as it is. `mesogen resume {} --set time.end={}` extends "
       "it; `mesogen branch {} NEW` starts a new run from its checkpoints",
-      rounded_text(time), folder.string(), rounded_text(2.0 * time), folder.string());
+      time_text(time, units), folder.string(), rounded_text(2.0 * time), folder.string());
 }
 
 }  // namespace
@@ -61,21 +61,22 @@ ExitCode resume_run(const PluginRegistry& registry, const RunOptions& options, c
   if (off_course(checkpoint, end))
     checkpoint = read_newest_checkpoint(options.folder, &which, nullptr, [&](const Checkpoint& read) -> std::string {
       if (const std::string fault = unfit(read, setup->resolved_text); !fault.empty()) return fault;
-      return off_course(read, end)
-                 ? "its last steps were shortened to end at t = " + rounded_text(*read.shortened_for) +
-                       " s, so it is no state of a longer run; `mesogen branch` can start from it"
-                 : std::string();
+      return off_course(read, end) ? "its last steps were shortened to end at t = " +
+                                         time_text(*read.shortened_for, setup->source.units) +
+                                         ", so it is no state of a longer run; `mesogen branch` can start from it"
+                                   : std::string();
     });
   if (checkpoint.time < end) {
-    log.info(fmt::format("resuming from {} at t = {} s, step {}, to t = {} s", which, rounded_text(checkpoint.time),
-                         checkpoint.step, rounded_text(end)));
+    log.info(fmt::format("resuming from {} at t = {}, step {}, to t = {}", which,
+                         time_text(checkpoint.time, setup->source.units), checkpoint.step,
+                         time_text(end, setup->source.units)));
     if (checkpoint.instruction_sets != setup->instruction_sets)
       log.warn(
           fmt::format("the run goes on, but not to the same bits: {} was written by code for other instruction sets "
                       "({}) than this processor or MESOGEN_SIMD chooses ({})",
                       which, checkpoint.instruction_sets, setup->instruction_sets));
   } else if (!changed && ResultsWriter::are_finished(options.folder)) {
-    log.info(finished_text(options.folder, checkpoint.time));
+    log.info(finished_text(options.folder, checkpoint.time, setup->source.units));
     return ExitCode::done;
   } else {
     log.info("all steps are done: the results are put together");

@@ -64,14 +64,15 @@ void check_resumed_values(const Case& before, const Case& after, double time, Pr
   const SourcePlace place{"--set", 0, 0};
   if (after.time.end < time && after.time.end != before.time.end)
     problems.add(place, "time.end",
-                 fmt::format("must be {} s or more, since the run has come that far, but is {} s", rounded_text(time),
-                             rounded_text(after.time.end)));
+                 fmt::format("must be {} or more, since the run has come that far, but is {}",
+                             time_text(time, after.units), time_text(after.time.end, after.units)));
   const auto& times = after.output.checkpoint_times;
   if (until(times, time) != until(before.output.checkpoint_times, time))
-    problems.add(place, "output.checkpoint_times",
-                 fmt::format("must stay as it was up to t = {} s, where the run is now: [{}], and may name other times "
-                             "only after that",
-                             rounded_text(time), fmt::join(until(before.output.checkpoint_times, time), ", ")));
+    problems.add(
+        place, "output.checkpoint_times",
+        fmt::format("must stay as it was up to t = {}, where the run is now: [{}], and may name other times "
+                    "only after that",
+                    time_text(time, after.units), fmt::join(until(before.output.checkpoint_times, time), ", ")));
 }
 
 std::string without_resumable_keys(std::string_view resolved_text) {

@@ -39,7 +39,7 @@ class Run {
         trace_(options.trace),
         stepper_(setup),
         observation_(stepper_),
-        crash_(stepper_.world().step, stepper_.world().time),
+        crash_(stepper_.world().step, stepper_.world().time, setup.source.units.time),
         kept_(setup.source.output.checkpoint_times, setup.source.output.checkpoint_every) {
     crash_.advise(fmt::format("no checkpoint was written yet: `mesogen resume {}` starts again from the beginning",
                               options_.folder.string()));
@@ -95,11 +95,13 @@ class Run {
     stepper_.start();
     observation_.start();
     observation_.observe(everybody(), results);
-    log_.info(fmt::format("{} particles, {} threads, {}, first step {} s (limit: {})", setup_.scene.particle_count,
-                          omp_get_max_threads(), precision(), rounded_text(stepper_.next_step(next_mark()).seconds),
-                          stepper_.next_step(next_mark()).limit));
+    const Stepper::Step step = stepper_.next_step(next_mark());
+    log_.info(fmt::format("{} particles, {} threads, {}, first step {} {} (limit: {})", setup_.scene.particle_count,
+                          omp_get_max_threads(), precision(), rounded_text(step.seconds), setup_.source.units.time,
+                          step.limit));
     if (const std::string fitted = fitted_spacing_text(setup_.source); !fitted.empty())
-      log_.info("particles.spacing is " + rounded_text(setup_.scene.spacing) + " m: " + fitted);
+      log_.info("particles.spacing is " + rounded_text(setup_.scene.spacing) + " " + setup_.source.units.length + ": " +
+                fitted);
     return go_on(results);
   }
 
@@ -156,9 +158,9 @@ class Run {
 
   void advise_to_resume(const Checkpoint& checkpoint) {
     crash_.advise(
-        fmt::format("the checkpoint of step {}, t = {} s is kept: once the plugin is mended, `mesogen resume "
+        fmt::format("the checkpoint of step {}, t = {} is kept: once the plugin is mended, `mesogen resume "
                     "{}` goes on from there",
-                    checkpoint.step, rounded_text(checkpoint.time), options_.folder.string()));
+                    checkpoint.step, time_text(checkpoint.time, setup_.source.units), options_.folder.string()));
   }
 
   void write_checkpoint(ResultsWriter& results) {
@@ -200,7 +202,7 @@ class Run {
     auto saved = Clock::now();
     const std::int64_t first = world.step;
     shares_before_ = shares();
-    progress_.start(world.time, world.step, end());
+    progress_.start(world.time, world.step, end(), setup_.source.units.time);
     try {
       while (world.time < end() && !stopped()) {
         const Stepper::Step step = stepper_.next_step(next_mark());
@@ -228,8 +230,8 @@ class Run {
     if (world.time < end()) {
       // Not twice the same: the two that are kept are to be two.
       if (saved_step_ != world.step) write_checkpoint(results);
-      log_.warn(fmt::format("interrupted at t = {} s; `mesogen resume {}` continues", rounded_text(world.time),
-                            options_.folder.string()));
+      log_.warn(fmt::format("interrupted at t = {} {}; `mesogen resume {}` continues", rounded_text(world.time),
+                            setup_.source.units.time, options_.folder.string()));
       return ExitCode::interrupted;
     }
     record_end(results);

@@ -182,23 +182,27 @@ void SetupBuilder::describe_scene() {
   }
   if (additions_.scene) additions_.scene(scene);
   attempt(source_.boundary, [&] { setup_.boundary->prepare(scene); });
-  for (std::size_t n = 0; n < setup_.physics.size(); ++n)
-    attempt(source_.physics[n], [&] {
-      const auto& member = setup_.physics[n];
-      call_plugin(member.type, "prepare()", [&] { member.plugin->prepare(scene); });
-      call_plugin(member.type, "step_limits()", [&] {
-        member.plugin->step_limits(scene, setup_.limits);
-        for (const auto& limit : setup_.limits.all())
-          if (!(limit.seconds > 0.0))
-            throw Error(ExitCode::plugin_refused, "the limit on the step \"" + limit.name + "\" is " +
-                                                      rounded_text(limit.seconds) + " s: it must be above 0");
-      });
+  const auto for_each_physics = [&](const auto& action) {
+    for (std::size_t n = 0; n < setup_.physics.size(); ++n)
+      attempt(source_.physics[n], [&] { action(setup_.physics[n]); });
+  };
+  for_each_physics([&](const Setup::PhysicsMember& member) {
+    call_plugin(member.type, "prepare()", [&] { member.plugin->prepare(scene); });
+  });
+  if (!problems_.empty()) return;
+  for_each_physics([&](const Setup::PhysicsMember& member) {
+    call_plugin(member.type, "constants()", [&] { member.plugin->constants(scene.constants); });
+  });
+  for_each_physics([&](const Setup::PhysicsMember& member) {
+    call_plugin(member.type, "step_limits()", [&] {
+      member.plugin->step_limits(scene, setup_.limits);
+      for (const auto& limit : setup_.limits.all())
+        if (!(limit.seconds > 0.0))
+          throw Error(ExitCode::plugin_refused, "the limit on the step \"" + limit.name + "\" is " +
+                                                    rounded_text(limit.seconds) + " " + source_.units.time +
+                                                    ": it must be above 0");
     });
-  for (std::size_t n = 0; n < setup_.physics.size(); ++n)
-    attempt(source_.physics[n], [&] {
-      const auto& member = setup_.physics[n];
-      call_plugin(member.type, "constants()", [&] { member.plugin->constants(scene.constants); });
-    });
+  });
 }
 
 void SetupBuilder::collect_fields() {

@@ -24,9 +24,10 @@ std::string support_problem(const Case& source, const sph::SmoothingKernel& kern
   if (source.domain.size.size() != 2) return {};
   const double most = source.domain.size[static_cast<std::size_t>(shortest_axis(source))] / 2.0;
   if (kernel.radius() <= most) return {};
+  const std::string unit = " " + source.units.length;
   const double ratio = most / kernel.shape.support() / source.particles.spacing;
-  return "the kernel's support of " + rounded_text(kernel.radius()) + " m is larger than half the box (" +
-         rounded_text(most) + " m), so a particle would " +
+  return "the kernel's support of " + rounded_text(kernel.radius()) + unit + " is larger than half the box (" +
+         rounded_text(most) + unit + "), so a particle would " +
          (walls ? "reach through both walls" : "meet its own image") + "; at most " +
          rounded_text(std::floor(ratio * 100.0) / 100.0) +
          " particle spacings here, or take a smaller particles.spacing";

@@ -66,6 +66,7 @@ Stepper::Stepper(Setup& setup)
       integrator_(world_, setup.catalogue, setup.graph->transport(), time_scheme(setup.source.time.scheme)),
       control_(setup.scene, setup.limits, setup.source.time.step, setup.source.time.factor),
       guard_(world_, setup.catalogue, *setup.graph, integrator_, control_) {
+  world_.units = setup.source.units;
   set_initial_fields();
 }
 

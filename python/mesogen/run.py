@@ -40,7 +40,8 @@ def open(path):
 class Run:
     """The results of one run. Use as a context manager, or call close() when done.
 
-    Arrays are numpy arrays; particle rows are ordered by particle id; lengths are in m, times in s.
+    Arrays are numpy arrays; particle rows are ordered by particle id; numbers are in the units of the case: lengths in
+    `length_unit`, m by default, times in `time_unit`.
     """
 
     def __init__(self, path):
@@ -210,6 +211,21 @@ class Run:
         return _unit(self._frames_of(name))
 
     @property
+    def length_unit(self):
+        """Unit of lengths, as text: "m", or what the case says in [units]."""
+        edges = self._file.get(f"{GROUP}/box/edges")
+        return "m" if edges is None else _word(edges, "m")
+
+    @property
+    def time_unit(self):
+        """Unit of times, as text: "s", or what the case says in [units]."""
+        for name in ["position", *self.fields]:
+            times = self._file.get(f"{GROUP}/{name}/time")
+            if times is not None:
+                return _word(times, "s")
+        return "s"
+
+    @property
     def id(self):
         """Particle ids in the order of the rows of every field, shape (N,)."""
         node = self._file.get(f"{GROUP}/id")
@@ -288,6 +304,10 @@ def _opened(file):
 
 def _unit(stored):
     """As it is usually written; of the columns of a table, "m, m, rad"."""
-    attributes = stored["value"].attrs
-    unit = attributes.get("unit", attributes.get("unit_text", "1"))
+    return _word(stored["value"], "1")
+
+
+def _word(dataset, default):
+    """The unit of a dataset, as it is usually written."""
+    unit = dataset.attrs.get("unit", dataset.attrs.get("unit_text", default))
     return plain(unit.decode() if isinstance(unit, bytes) else str(unit))

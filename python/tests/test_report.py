@@ -7,6 +7,7 @@ import subprocess
 import sys
 import unittest
 
+import h5py
 import matplotlib
 import numpy as np
 import synthetic
@@ -195,6 +196,24 @@ class Content(synthetic.FolderTest):
             set(found),
             {"density", "number of defects", "total charge", "total momentum", "rms velocity", "mixing index"},
         )
+
+
+class Units(synthetic.FolderTest):
+    def test_axes_have_the_units_of_the_case(self):
+        synthetic.complete(self.folder)
+        for units, x, time in (({}, "x (m)", "time (s)"), ({"length": "um", "time": "ms"}, "x (um)", "time (ms)")):
+            with h5py.File(os.path.join(self.folder, "results.h5"), "r+") as stored:
+                stored["particles/fluid/box/edges"].attrs["unit"] = units.get("length", "m")
+                for name in ("position", "velocity", "order_tensor"):
+                    stored[f"particles/fluid/{name}/time"].attrs["unit"] = units.get("time", "s")
+            with mesogen.open(self.folder) as run:
+                scene = Scene(run, -1)
+                _, (axes,) = style.tiles(1, 1, (2, 2))
+                vorticity.draw(axes, scene)
+                self.assertEqual(axes.get_xlabel(), x)
+                self.assertTrue(scene.time_text.endswith(units.get("time", "s")), scene.time_text)
+                labels = [place.get_xlabel() for place in series.figure(scene).axes]
+                self.assertIn(time, labels)
 
 
 class Texts(unittest.TestCase):

@@ -90,6 +90,8 @@ class PhysicsUnderTest {
       if (parameter.name != key) continue;
       if (auto* const number = std::get_if<double*>(&parameter.target)) {
         **number = value;
+      } else if (auto* const flag = std::get_if<bool*>(&parameter.target)) {
+        **flag = value != 0.0;
       } else {
         *std::get<std::optional<double>*>(parameter.target) = value;
       }

@@ -2,6 +2,7 @@
 ///
 /// Averages <f> = sum_i f_i / N are over particles. The mass of a particle is <density> * (area of the box) / N, equal
 /// for all: each carries the fluid that it started with. `volume` (1 / sum_j W_ij) says how evenly they are spread.
+/// Masses and densities are those of the fluid, also where a creeping flow is computed with an artificial density.
 /// Quantities whose fields the scene does not have are NaN.
 #include <algorithm>
 #include <cmath>
@@ -77,10 +78,16 @@ class FlowStatistics final : public Observer {
   }
 
  private:
+  /// Physical density over that of the momentum equation: a creeping flow is computed with an artificial one.
+  static double physical_share(const ObserverContext& context) {
+    const double physical = context.constant("physical_density");
+    return std::isnan(physical) ? 1.0 : physical / context.constant("density");
+  }
+
   /// Mass of a particle, kg (2D: kg/m); from the constant `density` where there is no such field. NaN if unknown.
   static double mass(const ObserverContext& context, const ById& particles) {
     const double density = context.has("density") ? mean(particles.values("density")) : context.constant("density");
-    return density * volume_of_box(context.scene()) / static_cast<double>(particles.count());
+    return physical_share(context) * density * volume_of_box(context.scene()) / static_cast<double>(particles.count());
   }
 
   static void motion(const ObserverContext& context, const ById& particles, Sample& sample) {
@@ -140,8 +147,8 @@ class FlowStatistics final : public Observer {
     if (context.has("density")) {
       const auto density = particles.values("density");
       const auto [low, high] = std::minmax_element(density.begin(), density.end());
-      sample.set("density_min", *low);
-      sample.set("density_max", *high);
+      sample.set("density_min", *low * physical_share(context));
+      sample.set("density_max", *high * physical_share(context));
     }
     const auto volume = particles.values("volume");
     const double mean_volume = volume_of_box(scene) / static_cast<double>(particles.count());

@@ -49,6 +49,17 @@ TEST(FlowStatistics, TaylorGreenVortices) {
   EXPECT_NEAR(values.at("total_momentum")[1], 0.0, 1e-16);
 }
 
+// A creeping flow is computed with an artificial density: mass and energy are those of the fluid all the same.
+TEST(FlowStatistics, TellsThePhysicalDensity) {
+  auto context = vortices();
+  context.set_constant("density", 1.5);
+  context.set_constant("physical_density", 3e-4);
+  const auto values = started(context).sample(context);
+  EXPECT_NEAR(values.at("kinetic_energy")[0] / (0.5 * 3e-4 * area * speed * speed / 2.0), 1.0, 1e-12);
+  EXPECT_NEAR(values.at("density_min")[0], 3e-4, 1e-16);
+  EXPECT_NEAR(values.at("density_max")[0], 3e-4, 1e-16);
+}
+
 TEST(FlowStatistics, MomentumOfADrift) {
   const auto context = vortices(0.25);
   const auto values = started(context).sample(context);

@@ -80,7 +80,6 @@ class ActiveStress final : public Physics {
     if (form_ == "conservative" && density == scene.constants.end())
       throw Error(ExitCode::bad_case,
                   "form = \"conservative\" needs the density of a flow, such as physics.flow with type = \"wcsph\"");
-    if (form_ == "conservative") mass_ = density->second * std::pow(scene.spacing, Dim);
   }
 
   void passes(PassList& list) override {
@@ -108,13 +107,15 @@ class ActiveStress final : public Physics {
           sums.order_tensor = context.read<Real>("order_tensor");
           sums.volume = context.read<Real>("volume");
           sums.acceleration = context.write<Real>("acceleration");
-          sums.activity_per_mass = Real(activity_ / mass_);
+          // Of the run: a flow may choose its density in prepare().
+          const Scene& scene = context.scene();
+          sums.activity_per_mass = Real(
+              activity_ / (scene.constants.at("density") * std::pow(scene.spacing, Dim)));  // over a particle's mass
           sph::pair_sum(context.space(), context.neighbours<Real, Dim>(), context.kernel(), sums);
         });
   }
 
   double activity_ = 0.0;
-  double mass_ = 0.0;  // of a particle
   std::string form_ = "corrected";
 };
 

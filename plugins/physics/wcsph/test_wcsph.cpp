@@ -2,8 +2,11 @@
 
 #include <cmath>
 #include <map>
+#include <numbers>
+#include <string>
 
 #include "fake_pass_context.hpp"
+#include "mesogen/diagnostics/error.hpp"
 
 namespace {
 
@@ -103,6 +106,72 @@ TEST(Wcsph, PublishesWhatItIs) {
   Scales scales;
   flow->scales(scales);
   EXPECT_EQ(scales.speed, 0.7);
+}
+
+/// A channel of nematic, 2 m between walls.
+Scene active_channel() {
+  Scene scene = box_of(4.0, 0.1);
+  scene.box[1] = 2.0;
+  scene.periodic[1] = false;
+  scene.constants = {{"activity", -0.3},      {"elastic_constant", 0.01}, {"rotational_diffusivity", 0.5},
+                     {"flow_alignment", 0.4}, {"bulk_A", -1.0},           {"bulk_C", 0.5}};
+  return scene;
+}
+
+double density(const Scene& scene, std::map<std::string, double> more = {}) {
+  more.insert({{"density", 2.0}, {"viscosity", 0.1}, {"inertia", 0.0}});
+  PhysicsUnderTest flow("wcsph", more, scene);
+  Constants constants;
+  flow->constants(constants);
+  EXPECT_EQ(constants.at("physical_density"), 2.0);
+  return constants.at("density");
+}
+
+// The slowest momentum, mu k^2 / rho with half a wave between the walls, against each rate of the nematic.
+TEST(Wcsph, CreepingDensityLetsMomentumRelaxFasterThanTheNematicChanges) {
+  const double k2 = std::pow(std::numbers::pi / 2.0, 2);
+  Scene scene = active_channel();
+  const double by_activity = 0.1 * k2 / (0.3 * (2.0 + 0.4) / (2.0 * 0.1));
+  EXPECT_NEAR(density(scene), by_activity / 20.0, 1e-12);
+  EXPECT_NEAR(density(scene, {{"relaxation_ratio", 50.0}}), by_activity / 50.0, 1e-12);
+  scene.scales.speed = 10.0;  // over 2 m
+  EXPECT_NEAR(density(scene), 0.1 * k2 / 5.0 / 20.0, 1e-12);
+  scene.scales.speed = 0.0;
+  scene.constants["activity"] = 0.0;
+  EXPECT_NEAR(density(scene), 0.1 / (0.01 * 0.5) / 20.0, 1e-12);
+  scene.constants["elastic_stress"] = 1.0;
+  EXPECT_NEAR(density(scene), 0.1 / (0.01 * (0.5 + 2.4 * 2.4 / 0.2)) / 20.0, 1e-12);
+  // Periodic: a whole wave in the longest edge. Friction holds back the flow, and takes part in its relaxation.
+  scene = active_channel();
+  scene.periodic[1] = true;
+  const double whole = std::pow(2.0 * std::numbers::pi / 4.0, 2);
+  EXPECT_NEAR(density(scene), 0.1 * whole / (0.3 * 2.4 / 0.2) / 20.0, 1e-12);
+  scene.constants["friction"] = 0.2;
+  EXPECT_NEAR(density(scene), std::pow(0.1 * whole + 0.2, 2) / (0.3 * 1.2 * whole) / 20.0, 1e-12);
+}
+
+TEST(Wcsph, CreepingFlowTakesItsStepsFromTheArtificialDensity) {
+  const Scene scene = active_channel();
+  const double rho = density(scene);
+  const PhysicsUnderTest flow("wcsph", {{"density", 2.0}, {"viscosity", 0.1}, {"inertia", 0.0}}, scene);
+  EXPECT_DOUBLE_EQ(flow.limits(scene).at("viscosity: stable diffusion by mu / rho"), scene.diffusion_step * rho / 0.1);
+}
+
+TEST(Wcsph, RefusesCreepingFlowWithoutAnythingThatChanges) {
+  const auto refusal = [](const std::map<std::string, double>& numbers, const Scene& scene) {
+    try {
+      PhysicsUnderTest("wcsph", numbers, scene);
+    } catch (const Error& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  EXPECT_EQ(refusal({{"density", 2.0}, {"viscosity", 0.1}, {"inertia", 0.0}}, box_of(1.0, 0.1)),
+            "inertia = false needs to know how fast the scene changes, and nothing in it tells: there is no nematic, "
+            "moving wall or initial velocity. Give expected_speed, the largest speed of the flow, or leave inertia "
+            "out");
+  EXPECT_EQ(refusal({{"density", 2.0}, {"viscosity", 0.1}, {"relaxation_ratio", 50.0}}, active_channel()),
+            "relaxation_ratio has a meaning only with inertia = false");
 }
 
 }  // namespace

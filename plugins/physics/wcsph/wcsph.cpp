@@ -5,9 +5,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <string>
 
+#include "creeping.hpp"
 #include "mesogen/diagnostics/error.hpp"
 #include "mesogen/plugin/physics.hpp"
 #include "mesogen/plugin/plugin.hpp"
@@ -22,8 +24,18 @@ template <class Real, int Dim>
 class Wcsph final : public Physics {
  public:
   void parameters(ParameterList& list) override {
-    list.number("density", density_).unit("kg/m3").above(0).required().doc("rho0: reference density");
+    list.number("density", physical_density_).unit("kg/m3").above(0).required().doc("rho0: reference density");
     list.number("viscosity", viscosity_).unit("Pa s").above(0).required().doc("mu: dynamic viscosity");
+    list.flag("inertia", inertia_)
+        .doc(
+            "solve the momentum equation with the fluid's density; or creeping (Stokes) flow: with an artificial "
+            "density, as large as relaxation_ratio allows. The field `density` is the artificial one then");
+    list.number("relaxation_ratio", relaxation_ratio_)
+        .unit("1")
+        .at_least(2)
+        .doc(
+            "with inertia = false: momentum relaxes at least so many times faster than the nematic changes. Growth "
+            "rates are too low by up to 1 / relaxation_ratio, and steps are as many times more as it is larger");
     list.text("viscosity_form", viscosity_form_)
         .choices({"component", "monaghan_gingold"})
         .doc("Laplacian of each velocity component, or the radial form, which is 5 % too thin on a lattice");
@@ -86,8 +98,11 @@ class Wcsph final : public Physics {
     if (expected_speed_) scales.speed = std::max(scales.speed, *expected_speed_);
   }
   void constants(Constants& constants) const override {
-    constants["density"] = density_;
+    constants["density"] = density_ > 0.0 ? density_ : physical_density_;  // 0 before prepare()
     constants["viscosity"] = viscosity_;
+    if (!inertia_) constants["physical_density"] = physical_density_;
+    if (!inertia_) constants["relaxation_ratio"] = relaxation_ratio_;
+    if (std::isfinite(creeping_density_)) constants["creeping_density"] = creeping_density_;
     constants["sound_speed"] = c0_;
     constants["automatic_sound_speed"] = automatic_sound_speed_;
   }
@@ -95,6 +110,7 @@ class Wcsph final : public Physics {
   // c0^2 >= max(100 u^2, stress / (rho delta), mu u / (rho L delta)) (Morris et al. 1997); above that it may rise at no
   // cost until the acoustic limit on the step meets the viscous one.
   void prepare(const Scene& scene) override {
+    choose_density(scene);
     if (feedback_ && filter_ == 0.0)
       throw Error(ExitCode::bad_case,
                   "filter_feedback needs a filter: set density_filter above 0, such as density_filter = 1.0, or leave "
@@ -167,6 +183,18 @@ class Wcsph final : public Physics {
   }
 
  private:
+  void choose_density(const Scene& scene) {
+    creeping_density_ = wcsph::creeping_density(scene, viscosity_, relaxation_ratio_);
+    if (inertia_ && relaxation_ratio_ != 20.0)
+      throw Error(ExitCode::bad_case, "relaxation_ratio has a meaning only with inertia = false");
+    if (!inertia_ && !std::isfinite(creeping_density_))
+      throw Error(ExitCode::bad_case,
+                  "inertia = false needs to know how fast the scene changes, and nothing in it tells: there is no "
+                  "nematic, moving wall or initial velocity. Give expected_speed, the largest speed of the flow, or "
+                  "leave inertia out");
+    density_ = inertia_ ? physical_density_ : creeping_density_;
+  }
+
   [[nodiscard]] double sound_step(const Scene& scene) const { return 0.25 * scene.smoothing_length / c0_; }
   // The radial form takes up to 3.3 times as much from the shortest waves as the Laplacian of the components.
   [[nodiscard]] double viscous_step(const Scene& scene) const {
@@ -188,7 +216,9 @@ class Wcsph final : public Physics {
     list.field("compression_rate", Rank::scalar).unit("1/s").doc("D(rho / rho0)/Dt");
     list.field("compression_midpoint", Rank::scalar).doc("rho / rho0 - 1 at the midpoint of the step");
     list.field("compression_filtered", Rank::scalar).doc("the same after the density filter");
-    list.field("density", Rank::scalar).unit("kg/m3").doc("rho at the midpoint of the step");
+    list.field("density", Rank::scalar)
+        .unit("kg/m3")
+        .doc("rho at the midpoint of the step; with inertia = false about the artificial one");
     list.field("pressure", Rank::scalar).unit("Pa").doc("p at the midpoint of the step");
     list.field("pressure_term", Rank::scalar).unit("Pa m6/kg2").doc("p / rho^2");
     list.field("shift_velocity", Rank::vector).unit("m/s").doc("artificial displacement per time");
@@ -296,7 +326,11 @@ class Wcsph final : public Physics {
     return sums;
   }
 
-  double density_ = 0.0;
+  double physical_density_ = 0.0;
+  double density_ = 0.0;  // of the momentum equation
+  double creeping_density_ = std::numeric_limits<double>::infinity();
+  bool inertia_ = true;
+  double relaxation_ratio_ = 20.0;
   double viscosity_ = 0.0;
   std::string viscosity_form_ = "component";
   std::optional<double> sound_speed_;

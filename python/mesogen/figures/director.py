@@ -35,7 +35,7 @@ def draw(axes, scene, lines_across=46):
     )
     draw_lines(axes, scene, lines_across)
     draw_defects(axes, scene, defect_size(scene.box, len(scene.defects)))
-    style.box_axes(axes, scene.box)
+    style.box_axes(axes, scene.box, scene.run.length_unit)
     style.titles(axes, "Director and order", scene)
     style.colour_bar(axes, image, "order q")
 

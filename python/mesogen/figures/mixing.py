@@ -29,7 +29,7 @@ def draw(axes, scene):
     image = axes.imshow(
         colour, origin="lower", extent=grid.extent, cmap=COLOURS, vmin=0, vmax=1, interpolation="bicubic"
     )
-    style.box_axes(axes, scene.box)
+    style.box_axes(axes, scene.box, scene.run.length_unit)
     style.titles(axes, "Mixing: colour of the initial quarter", scene)
     style.colour_bar(axes, image, "colour")
 
@@ -43,7 +43,7 @@ def draw_index(axes, scene):
         axes.plot(scene.time, now, "o", color=style.SERIES[1], ms=5, mec="white", clip_on=False)
     axes.set_xlim(time[0], max(time[-1], time[0] + 1e-12))
     axes.set_ylim(0, 1)
-    axes.set_xlabel("time (s)")
+    axes.set_xlabel(scene.time_label)
     axes.set_ylabel("mixing index")
     axes.set_title("Mixing index")
     axes.spines[["top", "right"]].set_visible(False)

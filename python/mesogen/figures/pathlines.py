@@ -51,9 +51,9 @@ def draw(axes, scene):
     axes.scatter(
         now[:, 0], now[:, 1], s=3 + 13 * crowd, color=style.INK, edgecolors="white", linewidths=0.5, zorder=3
     )
-    style.box_axes(axes, box)
+    style.box_axes(axes, box, scene.run.length_unit)
     style.titles(axes, f"Paths of {path.shape[1]} particles", scene)
-    style.colour_bar(axes, lines, "time (s)")
+    style.colour_bar(axes, lines, scene.time_label)
 
 
 def figure(scene):

@@ -23,8 +23,12 @@ class Scene:
         self.step = None if frame is None else int(run.steps[self.frame])
 
     @property
+    def time_label(self):
+        return f"time ({self.run.time_unit})"
+
+    @property
     def time_text(self):
-        return "" if self.time is None else f"t = {self.time:.4g} s"
+        return "" if self.time is None else f"t = {self.time:.4g} {self.run.time_unit}"
 
     def has(self, *fields):
         """Whether these fields are stored, with positions to draw them at."""

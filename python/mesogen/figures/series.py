@@ -122,5 +122,5 @@ def figure(scene):
     for unused in axes[len(shown) :]:
         unused.set_visible(False)
     for last in axes[max(0, len(shown) - columns) : len(shown)]:
-        last.set_xlabel("time (s)")
+        last.set_xlabel(scene.time_label)
     return page

@@ -87,13 +87,13 @@ def map_size(box, longest=4.4):
     return tuple(np.maximum(0.8, longest * np.asarray(box) / max(box)))
 
 
-def box_axes(axes, box):
-    """Axes in m over the whole periodic box, equal on both."""
+def box_axes(axes, box, unit="m"):
+    """Axes over the whole periodic box, equal on both. unit: that of lengths."""
     axes.set_xlim(0, box[0])
     axes.set_ylim(0, box[1])
     axes.set_aspect("equal")
-    axes.set_xlabel("x (m)")
-    axes.set_ylabel("y (m)")
+    axes.set_xlabel(labelled("x", unit))
+    axes.set_ylabel(labelled("y", unit))
     axes.locator_params(nbins=6)
 
 

@@ -36,7 +36,7 @@ def figure(scene):
     page, axes = style.tiles(rows, columns, style.map_size(scene.box, 3.9), head=0.4 if title else 0.05)
     for letter, place, draw in zip("abcd", axes, drawers):
         draw(place, scene)
-        place.set_xlabel(place.get_xlabel() or "time (s)")
+        place.set_xlabel(place.get_xlabel() or scene.time_label)
         place.set_title(f"({letter}) {place.get_title('left')}")
     for unused in axes[len(drawers) :]:
         unused.set_visible(False)

@@ -22,9 +22,9 @@ def draw(axes, scene, density=1.5):
         interpolation="bicubic",
     )
     _draw_streamlines(axes, scene, density)
-    style.box_axes(axes, scene.box)
+    style.box_axes(axes, scene.box, scene.run.length_unit)
     style.titles(axes, "Vorticity and streamlines", scene)
-    style.colour_bar(axes, image, "vorticity (s⁻¹)")
+    style.colour_bar(axes, image, style.labelled("vorticity", f"1/{scene.run.time_unit}"))
 
 
 def _draw_streamlines(axes, scene, density):

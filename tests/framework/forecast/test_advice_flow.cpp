@@ -1,5 +1,7 @@
 // Advice about kernel, sound, step and precision of a flow: each is followed, and does what it promises.
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <limits>
 #include <string>
@@ -50,6 +52,42 @@ TEST(Advice, SoundIsLeftWhereItIsNeededOrAskedFor) {
   EXPECT_FALSE(advised(vortices("density_diffusion = 0.1"), "no_sound"));
   EXPECT_FALSE(advised(vortices("motion = \"eulerian\""), "no_sound"));
   EXPECT_FALSE(advised(vortices().boundary("walls"), "no_sound"));
+}
+
+/// An active film of 1e-6 kg in micrometres between walls, 40 x 20 um: Re = 3e-6.
+CaseText film(double spacing) {
+  CaseText text(20e-6, 1);
+  text.section("domain", "size = [40e-6, 20e-6]\nboundary = { type = \"walls\", anchoring = \"planar\" }")
+      .section("particles", fmt::format("spacing = {:.17g}", spacing))
+      .precision("single")
+      .section("director", "type = \"perturbed\"\namplitude = 0.05")
+      .section("physics.flow", "type = \"wcsph\"\ndensity = 1000.0\nviscosity = 0.1")
+      .nematic(1.0, 0.7, 4e-12)
+      .active(0.5);
+  return text;
+}
+
+TEST(Advice, WithoutInertiaACreepingFlowTakesFewerSteps) {
+  const CaseText text = film(1e-6);
+  const auto found = advised(text, "no_inertia");
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->settings, std::vector<std::string>{"physics.flow.inertia=false"});
+  EXPECT_NE(found->finding.find("the Reynolds number by the box is 2.8e-06"), std::string::npos) << found->finding;
+  EXPECT_NE(found->gain.find("growth rates are up to 5 % too low"), std::string::npos) << found->gain;
+  CaseRun before = CaseRun::unstarted(text);
+  CaseRun after(text, found->settings);
+  EXPECT_GT(forecast_steps(before.setup()).expected, 10000 * forecast_steps(after.setup()).expected);
+  after.run_to(0.02);
+  EXPECT_GT(after.observe("flow_statistics", "v_rms"), 0.0);
+  expect_settled(text, *found);
+}
+
+// Inertia matters above Re = 0.1; and where the artificial density is no larger there is nothing to gain.
+TEST(Advice, InertiaIsLeftWhereItMatters) {
+  EXPECT_FALSE(advised(vortices(), "no_inertia"));
+  CaseText light = film(1e-6);
+  light.section("physics.flow", "type = \"wcsph\"\ndensity = 5e8\nviscosity = 0.1");
+  EXPECT_FALSE(advised(light, "no_inertia"));
 }
 
 TEST(Advice, FewNeighboursGoWrongAndMoreDoNot) {

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 #include "case_text.hpp"
@@ -97,6 +98,34 @@ TEST(DimensionlessNumbers, BetweenWallsNoWavesAreCounted) {
       numbers_of(paper(50).section("domain", "size = [10.0, 10.0]\nboundary = { type = \"walls\", axes = [\"y\"] }"));
   EXPECT_FALSE(found.contains("growth_rate"));
   EXPECT_TRUE(found.contains("active_length"));
+}
+
+// What is told of a creeping flow is the fluid's own; how it is computed has a line of its own, and limits of others go
+// by it, whichever section comes first.
+TEST(DimensionlessNumbers, OfACreepingFlow) {
+  CaseText text(10.0, 50);
+  text.section("physics.a_substrate", "type = \"friction\"\ncoefficient = 0.01")
+      .section("director", "type = \"uniform\"")
+      .flow(2.0 / 3.0, "inertia = false")
+      .nematic(0.4, 0.7, 0.02)
+      .active(0.05);
+  const Numbers found = numbers_of(text);
+  const double k2 = 0.394784176;  // (2 pi / 10 m)^2
+  const double artificial = std::pow(2.0 / 3.0 * k2 + 0.01, 2) / (0.05 * 1.35 * k2) / 20.0;
+  EXPECT_NEAR(found.at("artificial_density") / artificial, 1.0, 1e-6);
+  EXPECT_NEAR(found.at("inertial_time"), 1.0 / (k2 * 2.0 / 3.0), 1e-6);
+  EXPECT_NEAR(found.at("reynolds_box"), found.at("active_speed") * 10.0 / (2.0 / 3.0), 1e-9);
+  EXPECT_GT(found.at("growth_rate"), 0.95 * found.at("growth_rate_without_inertia"));
+
+  Problems problems;
+  const auto setup = set_up(read_case_text(text.text(), "test.toml", {}, problems), built_plugins(), problems);
+  int limits = 0;
+  for (const auto& limit : setup->limits.all()) {
+    if (!limit.name.starts_with("friction")) continue;
+    EXPECT_NEAR(limit.seconds / (0.25 * artificial / 0.01), 1.0, 1e-6);
+    ++limits;
+  }
+  EXPECT_EQ(limits, 1);
 }
 
 }  // namespace

@@ -30,8 +30,8 @@ class MESOGEN_EXPORT Physics {
   virtual void parameters(ParameterList& list) = 0;
   /// Says what magnitudes it brings to the scene. Parameters are set.
   virtual void scales(Scales& scales) const;
-  /// Numbers that others may want, by name: constants["elastic_constant"] = 0.02. Called again after prepare(), for
-  /// observers and for what the program tells of a case: there may be more to say then.
+  /// Numbers that others may want, by name: constants["elastic_constant"] = 0.02. Called again after every plugin's
+  /// prepare(), for step_limits(), passes and observers: there may be more to say then, or something else.
   virtual void constants(Constants& constants) const;
   /// Chooses what depends on the scene and on what the other plugins said in scales() and constants().
   virtual void prepare(const Scene& scene);
