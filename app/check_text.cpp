@@ -10,6 +10,9 @@ namespace mesogen::app {
 
 namespace {
 
+/// A whole number, in full as far as a double counts.
+std::string count_text(double count) { return fmt::format(count < 1e15 ? "{:.0f}" : "{:.3g}", count); }
+
 std::string plugin_text(const PluginRegistry& registry, PluginKind kind, const PluginChoice& choice) {
   const auto& plugin = *registry.find(kind, choice.type);
   return fmt::format("  {:<24} {} {}: {} ({})\n", choice.section.path(), choice.type, plugin.descriptor->version,
@@ -45,7 +48,8 @@ std::string steps_text(const Setup& setup, const StepForecast& steps) {
   const auto& time = setup.source.time;
   std::string text;
   if (time.step) {
-    text += fmt::format("time            {:.6g} s, in {} steps of {:.6g} s\n", time.end, steps.expected, *time.step);
+    text += fmt::format("time            {:.6g} s, in {} steps of {:.6g} s\n", time.end, count_text(steps.expected),
+                        *time.step);
   } else {
     text += fmt::format("time            {:.6g} s, step chosen as the run goes, times {:.6g}\n", time.end, time.factor);
   }
@@ -85,7 +89,7 @@ std::string bytes_text(double bytes) {
 std::string run_text(const Setup& setup, const CheckFacts& facts) {
   std::string text = "a run\n";
   const char* const or_more = facts.steps.fixed ? "" : " or more";
-  text += fmt::format("  steps           {}{}\n", facts.steps.expected, or_more);
+  text += fmt::format("  steps           {}{}\n", count_text(facts.steps.expected), or_more);
   if (facts.time) {
     const TimeForecast& time = *facts.time;
     text += fmt::format("  wall time       {}{} with {} thread{}: {:.3g} ms a step (from {} steps)\n",
@@ -98,9 +102,9 @@ std::string run_text(const Setup& setup, const CheckFacts& facts) {
   text += fmt::format("  memory          {}", bytes_text(peak));
   if (facts.memory_available > 0.0 && peak > facts.memory_available)
     text += fmt::format(", more than the {} that can be had here", bytes_text(facts.memory_available));
-  text += fmt::format("\n  disk            {}: {:.0f} frames of {}, two checkpoints of {}\n",
-                      bytes_text(facts.frames * facts.frame_bytes + 2.0 * facts.checkpoint_bytes), facts.frames,
-                      bytes_text(facts.frame_bytes), bytes_text(facts.checkpoint_bytes));
+  text += fmt::format("\n  disk            {}: {} frames of {}, two checkpoints of {}\n",
+                      bytes_text(facts.frames * facts.frame_bytes + 2.0 * facts.checkpoint_bytes),
+                      count_text(facts.frames), bytes_text(facts.frame_bytes), bytes_text(facts.checkpoint_bytes));
   text += fmt::format("  stored fields   position{}{} every {:.6g} s\n", setup.output_fields.empty() ? "" : ", ",
                       fmt::join(setup.output_fields, ", "), setup.source.output.interval);
   return text;
@@ -113,9 +117,8 @@ std::string change_text(const Setup& setup, const CheckFacts& facts, const Advic
     if (std::abs(after - before) > 0.05 * before)
       changes.push_back(fmt::format("{} {} -> {}", what, text(before), text(after)));
   };
-  const auto whole = [](double value) { return fmt::format("{:.0f}", value); };
-  note("particles", setup.scene.particle_count, static_cast<double>(one.particles), whole);
-  note("steps", static_cast<double>(facts.steps.expected), static_cast<double>(one.steps), whole);
+  note("particles", setup.scene.particle_count, static_cast<double>(one.particles), count_text);
+  note("steps", facts.steps.expected, one.steps, count_text);
   note("memory", facts.memory.peak(), one.memory, bytes_text);
   note("disk", facts.frames * facts.frame_bytes + 2.0 * facts.checkpoint_bytes, one.disk, bytes_text);
   return fmt::format("{}", fmt::join(changes, ", "));

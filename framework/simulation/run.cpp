@@ -202,6 +202,7 @@ ExitCode run_case(Case source, const PluginRegistry& registry, const RunOptions&
                   Progress& progress) {
   Problems problems;
   const auto setup = set_up(std::move(source), registry, problems);
+  if (options.inspect) options.inspect(*setup);
   RunTrace::check(options.trace, options.folder);
   const RunLock lock = start_run_folder(options.folder, setup->resolved_text, options.overwrite);
   return Run(*setup, options, log, progress).begin();
@@ -214,6 +215,7 @@ ExitCode resume_run(const PluginRegistry& registry, const RunOptions& options, L
   Problems problems;
   Case source = read_case_text(text, (options.folder / "case.toml").string(), {}, problems);
   const auto setup = set_up(std::move(source), registry, problems);
+  if (options.inspect) options.inspect(*setup);
   if (!has_checkpoint(options.folder)) {
     log.info("no checkpoint was written yet: starting again from the beginning");
     return Run(*setup, options, log, progress).begin_again();

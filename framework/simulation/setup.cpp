@@ -1,11 +1,13 @@
 #include "simulation/setup.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <stdexcept>
 
 #include "case/nearest.hpp"
 #include "case/resolved.hpp"
+#include "initial/defects.hpp"
 #include "initial/fields.hpp"
 #include "plugin/plugin_call.hpp"
 #include "simulation/choose_backend.hpp"
@@ -39,6 +41,7 @@ class SetupBuilder {
   void choose_backend();
   void make_plugins();
   void choose_kernel();
+  void place_defects();
   void put_together();
   [[nodiscard]] bool refused() const { return refused_; }
 
@@ -152,6 +155,13 @@ void SetupBuilder::choose_kernel() {
   const bool walls = setup_.boundary && !setup_.boundary->periodic(shortest_axis(source_));
   if (const std::string problem = support_problem(source_, setup_.smoothing, walls); !problem.empty())
     problems_.add(source_.place("kernel.smoothing_length"), "kernel.smoothing_length", problem);
+}
+
+void SetupBuilder::place_defects() {
+  if (!setup_.boundary || source_.domain.size.size() != 2) return;
+  const std::array<bool, 3> periodic = {setup_.boundary->periodic(0), setup_.boundary->periodic(1), false};
+  if (const std::string problem = fold_defects(setup_.source, periodic); !problem.empty())
+    problems_.add(source_.place("director.defects"), "director.defects", problem);
 }
 
 void SetupBuilder::describe_scene() {
@@ -303,6 +313,7 @@ std::unique_ptr<Setup> set_up(Case source, const PluginRegistry& registry, Probl
   builder.choose_backend();
   builder.make_plugins();
   builder.choose_kernel();
+  builder.place_defects();
   try {
     builder.put_together();
   } catch (const Error& error) {
