@@ -11,7 +11,9 @@ namespace mesogen::app {
 namespace {
 
 /// A whole number, in full as far as a double counts.
-std::string count_text(double count) { return fmt::format(count < 1e15 ? "{:.0f}" : "{:.3g}", count); }
+std::string count_text(double count) {
+  return count < 1e15 ? fmt::format("{:.0f}", count) : fmt::format("{:.3g}", count);
+}
 
 std::string plugin_text(const PluginRegistry& registry, PluginKind kind, const PluginChoice& choice) {
   const auto& plugin = *registry.find(kind, choice.type);
@@ -44,6 +46,9 @@ std::string scene_text(const Setup& setup) {
   return text;
 }
 
+// What is unstable grows at least so long before it shows.
+constexpr double many_steps = 4.0;
+
 std::string steps_text(const Setup& setup, const StepForecast& steps) {
   const auto& time = setup.source.time;
   std::string text;
@@ -58,7 +63,8 @@ std::string steps_text(const Setup& setup, const StepForecast& steps) {
     text += fmt::format("  {:<46} {:.6g} s", limit.name, limit.seconds);
     if (limit.name == steps.limit) text += "   binds";
     if (time.step && *time.step > limit.seconds)
-      text += fmt::format("   time.step is {:.3g} times as long: the run will break down", *time.step / limit.seconds);
+      text += fmt::format("   time.step is {:.3g} times as long: {} break down", *time.step / limit.seconds,
+                          steps.expected < many_steps ? "a longer run would" : "the run will");
     text += '\n';
   }
   if (!steps.fixed && steps.speed > 0.0 && steps.limit_at_speed != steps.limit)

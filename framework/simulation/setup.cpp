@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <set>
 #include <stdexcept>
 
 #include "case/nearest.hpp"
@@ -11,6 +12,7 @@
 #include "initial/fields.hpp"
 #include "plugin/plugin_call.hpp"
 #include "simulation/choose_backend.hpp"
+#include "simulation/fewest_neighbours.hpp"
 #include "simulation/rounded_text.hpp"
 #include "simulation/smoothing.hpp"
 #include "sph/lattice.hpp"
@@ -56,6 +58,7 @@ class SetupBuilder {
   void choose_output();
   void plan_observers();
   void refuse_traces();
+  void refuse_few_neighbours();
 
   Setup& setup_;
   const Case& source_;
@@ -280,6 +283,22 @@ void SetupBuilder::refuse_traces() {
                     why + "this observer would see nothing move; remove it, or take motion = \"lagrangian\"");
 }
 
+// Only where the scene sums over neighbours.
+void SetupBuilder::refuse_few_neighbours() {
+  const StepGraph& graph = *setup_.graph;
+  std::set<std::string> derived = graph.derived_for_integration();
+  for (std::size_t n = 0; n <= setup_.observers.size(); ++n)
+    derived.insert(graph.derived_for_reader(n).begin(), graph.derived_for_reader(n).end());
+  if (derived.empty() && !graph.sums_pairs()) return;
+  const Transport& flow = graph.transport();
+  const NeighbourNeeds needs{
+      .quadratic = source_.laplacian == "consistent" &&
+                   std::ranges::any_of(derived, [](const std::string& name) { return name.ends_with("_laplacian"); }),
+      .moving = !flow.velocity.empty() && !flow.fixed};
+  if (const std::string problem = neighbours_problem(source_, setup_.smoothing, needs); !problem.empty())
+    problems_.add(source_.place("kernel.smoothing_length"), "kernel.smoothing_length", problem);
+}
+
 void SetupBuilder::put_together() {
   // Fields depend on which plugins there are, the rest on sound parameters too.
   const bool all_made =
@@ -301,6 +320,7 @@ void SetupBuilder::put_together() {
   for (const auto& member : setup_.observers) readers.push_back({"observers." + member.instance, member.fields});
   readers.push_back({"output.fields", setup_.output_fields});
   setup_.graph = std::make_unique<StepGraph>(setup_.catalogue, members, readers, *setup_.backend);
+  refuse_few_neighbours();
   setup_.resolved_text = resolved_.text();
 }
 

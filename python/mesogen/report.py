@@ -7,6 +7,7 @@ import sys
 from .errors import MesogenError
 from .figures import director, mixing, pathlines, series, style, summary, vorticity
 from .figures.scene import Scene
+from .output_folder import foreign
 from .run import open as open_run
 
 FIGURES = {
@@ -25,12 +26,14 @@ def report(folder, frame=-1, output=None):
     folder: the run's folder, or its results.h5. frame: the frame drawn, negative from the end. output: where the PNGs
     go, by default `report` in the run's folder.
     Yields (file, None) for a picture written, (file, reason) for one left out. Raises MesogenError if there are no
-    results or no such frame.
+    results or no such frame, or if the folder for the pictures holds files but none of a report.
     """
     with open_run(folder) as run:
         target = output or os.path.join(run.folder, "report")
         frames = len(run.times)
         scene = Scene(run, frame if frames else None)
+        if problem := foreign(target, lambda names: any(f"{name}.png" in names for name in FIGURES)):
+            raise MesogenError(problem)
         os.makedirs(target, exist_ok=True)
         with style.settings():
             for name, figure in FIGURES.items():

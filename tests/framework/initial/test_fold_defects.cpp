@@ -39,14 +39,15 @@ std::string refusal_of(const CaseText& text) {
   return "nothing was refused";
 }
 
+// Walls lie across y here; x is periodic.
 TEST(FoldDefects, BeyondAWallTheyAreRefused) {
-  for (const char* const x : {"10.0", "12.5", "-0.1"})
+  for (const char* const y : {"10.0", "12.5", "-0.1"})
     EXPECT_NE(
-        refusal_of(defects_at(std::string("[[5.0, 5.0, 0.5], [") + x + ", 7.5, -0.5]]", "walls"))
-            .find("director.defects: row 2: must lie in the box, x from 0 to 10 m, where this axis ends at walls, "
+        refusal_of(defects_at(std::string("[[5.0, 5.0, 0.5], [17.5, ") + y + ", -0.5]]", "walls"))
+            .find("director.defects: row 2: must lie in the box, y from 0 to 10 m, where this axis ends at walls, "
                   "but is at "),
         std::string::npos)
-        << x;
+        << y;
 }
 
 TEST(FoldDefects, WhatIsTooFarToFoldIsRefused) {
