@@ -155,6 +155,8 @@ void SetupBuilder::choose_kernel() {
     return;
   }
   setup_.smoothing = smoothing_of(source_, std::move(setup_.smoothing.shape));
+  if (const std::string problem = range_problem(source_, setup_.smoothing); !problem.empty())
+    problems_.add(source_.place("particles.spacing"), "particles.spacing", problem);
   const bool walls = setup_.boundary && !setup_.boundary->periodic(shortest_axis(source_));
   if (const std::string problem = support_problem(source_, setup_.smoothing, walls); !problem.empty())
     problems_.add(source_.place("kernel.smoothing_length"), "kernel.smoothing_length", problem);

@@ -298,7 +298,7 @@ class TooLittleMemory(CommandTest):
 
     def test_resume_where_there_is_less(self):
         self.mesogen("run", self.write_case(), "--output", "out", "--set", "particles.spacing=0.003", "--set", "time.end=1e-5")
-        _, err = self.limited("resume", "out", code=2, megabytes=384)
+        _, err = self.limited("resume", "out", code=2, megabytes=256)
         self.assertRegex(err, r"out/case\.toml:\d+:\d+: particles\.spacing: \S+ particles need ")
 
 

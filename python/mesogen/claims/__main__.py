@@ -18,9 +18,9 @@ def study_command(options):
     study = read_study(options.study, mode, options.only)
     name = os.path.basename(os.path.abspath(options.study))
     folder = options.output or os.path.join("output", "studies", name if mode == "standard" else f"{name}_{mode}")
-    # Its sweeps are folders in it, each of which says whose it is.
-    if problem := foreign(folder, lambda names: any(os.path.exists(os.path.join(folder, one, mark)) for one in names
-                                                   for mark in ("owner", ".lock"))):
+    # Its sweeps are folders in it, each of which says whose it is, beside that of the report.
+    if problem := foreign(folder, lambda names: report.FOLDER in names or any(
+            os.path.exists(os.path.join(folder, one, mark)) for one in names for mark in ("owner", ".lock"))):
         raise StudyError(problem)
     results = report.gather(study, folder, options.mesogen, options.parallel, not options.write_only,
                             lambda total, done: Progress(total, done, options.quiet),
