@@ -1,8 +1,10 @@
 #include <iostream>
 #include <memory>
 
+#include "diagnostics/resources.hpp"
 #include "interrupt.hpp"
 #include "options.hpp"
+#include "room.hpp"
 #include "simulation/run.hpp"
 #include "verbs.hpp"
 
@@ -23,12 +25,16 @@ struct Options {
 ExitCode branch(const Options& options) {
   use_threads(options.running);
   const auto registry = load_plugins(options.plugin_folders, options.running.quiet);
+  const auto program = static_cast<double>(resident_memory());
+  const CaseOptions branched{(std::filesystem::path(options.folder) / "case.toml").string(), options.changes,
+                             options.plugin_folders};
   RunOptions run;
   run.folder = options.output;
   run.overwrite = options.overwrite;
   run.profile = options.running.profile;
   run.trace = options.running.trace;
   run.stop = &stop_on_signal();
+  run.inspect = [&](const Setup& setup) { refuse_beyond_memory(setup, program, with_settings(branched, registry)); };
   Log log(options.running.quiet);
   Progress progress(std::cerr, Progress::style_for(2, options.running.quiet));
   return branch_run(registry, {options.folder, options.at}, options.changes, run, log, progress);

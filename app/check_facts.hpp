@@ -1,7 +1,5 @@
 #pragma once
 
-#include <functional>
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -9,6 +7,7 @@
 #include "forecast/advice.hpp"
 #include "forecast/dimensionless_numbers.hpp"
 #include "forecast/memory.hpp"
+#include "forecast/room.hpp"
 #include "forecast/steps.hpp"
 #include "forecast/timing.hpp"
 #include "json.hpp"
@@ -21,7 +20,7 @@ namespace mesogen::app {
 struct AdviceFacts {
   Advice advice;
   std::int64_t particles = 0;
-  std::int64_t steps = 0;
+  double steps = 0.0;
   double memory = 0.0;  ///< bytes
   double disk = 0.0;    ///< bytes
 };
@@ -38,11 +37,10 @@ struct CheckFacts {
   std::optional<TimeForecast> time;
   std::string not_timed;     ///< why there is no time
   bool breaks_down = false;  ///< within the first steps; not_timed tells how
+  Problems problems;         ///< why it cannot be run here
+  std::vector<std::string> warnings;
   std::vector<AdviceFacts> advice;
 };
-
-/// The same case with these settings, as by --set; throws Error if they do not go with it.
-using SetUpWith = std::function<std::unique_ptr<Setup>(const std::vector<std::string>& settings)>;
 
 /// `timed`: also take some steps. `program`: bytes resident before the case was set up. The setup is used up.
 CheckFacts check_facts(Setup& setup, bool timed, double program, const SetUpWith& set_up_with);

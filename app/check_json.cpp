@@ -8,6 +8,11 @@ namespace {
 
 Json number_or_null(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
+/// As an integer, as far as a double counts them.
+Json whole_number(double value) {
+  return std::abs(value) <= 9007199254740992.0 ? Json(static_cast<std::int64_t>(value)) : number_or_null(value);
+}
+
 Json scene_json(const Setup& setup) {
   const Scene& scene = setup.scene;
   return {{"box", {scene.box[0], scene.box[1]}},
@@ -31,8 +36,8 @@ Json steps_json(const Setup& setup, const StepForecast& steps) {
           {"speed", steps.speed},
           {"binds_at_speed", steps.limit_at_speed},
           {"step_at_speed", number_or_null(steps.at_speed)},
-          {"steps_at_rest", steps.at_rest},
-          {"steps_at_least", steps.expected}};
+          {"steps_at_rest", whole_number(steps.at_rest)},
+          {"steps_at_least", whole_number(steps.expected)}};
 }
 
 Json time_json(const TimeForecast& time) {
@@ -100,6 +105,8 @@ Json check_json(const Setup& setup, const PluginRegistry& registry, const CheckF
               {"time", facts.time ? time_json(*facts.time) : Json(nullptr)}};
   if (!facts.time) all["not_timed"] = facts.not_timed;
   all["breaks_down"] = facts.breaks_down;
+  all["problems"] = facts.problems.text();
+  all["warnings"] = facts.warnings;
   all["memory"] = memory_json(facts);
   all["disk"] = {{"frames", facts.frames},
                  {"frame", facts.frame_bytes},

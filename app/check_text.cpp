@@ -10,6 +10,11 @@ namespace mesogen::app {
 
 namespace {
 
+/// A whole number, in full as far as a double counts.
+std::string count_text(double count) {
+  return count < 1e15 ? fmt::format("{:.0f}", count) : fmt::format("{:.3g}", count);
+}
+
 std::string plugin_text(const PluginRegistry& registry, PluginKind kind, const PluginChoice& choice) {
   const auto& plugin = *registry.find(kind, choice.type);
   return fmt::format("  {:<24} {} {}: {} ({})\n", choice.section.path(), choice.type, plugin.descriptor->version,
@@ -42,13 +47,16 @@ std::string scene_text(const Setup& setup) {
   return text;
 }
 
+// What is unstable grows at least so long before it shows.
+constexpr double many_steps = 4.0;
+
 std::string steps_text(const Setup& setup, const StepForecast& steps) {
   const auto& time = setup.source.time;
   const std::string& unit = setup.source.units.time;
   std::string text;
   if (time.step) {
-    text += fmt::format("time            {0:.6g} {3}, in {1} steps of {2:.6g} {3}\n", time.end, steps.expected,
-                        *time.step, unit);
+    text += fmt::format("time            {0:.6g} {3}, in {1} steps of {2:.6g} {3}\n", time.end,
+                        count_text(steps.expected), *time.step, unit);
   } else {
     text += fmt::format("time            {:.6g} {}, step chosen as the run goes, times {:.6g}\n", time.end, unit,
                         time.factor);
@@ -58,7 +66,8 @@ std::string steps_text(const Setup& setup, const StepForecast& steps) {
     text += fmt::format("  {:<46} {:.6g} {}", limit.name, limit.seconds, unit);
     if (limit.name == steps.limit) text += "   binds";
     if (time.step && *time.step > limit.seconds)
-      text += fmt::format("   time.step is {:.3g} times as long: the run will break down", *time.step / limit.seconds);
+      text += fmt::format("   time.step is {:.3g} times as long: {} break down", *time.step / limit.seconds,
+                          steps.expected < many_steps ? "a longer run would" : "the run will");
     text += '\n';
   }
   if (!steps.fixed && steps.speed > 0.0 && steps.limit_at_speed != steps.limit)
@@ -90,7 +99,7 @@ std::string bytes_text(double bytes) {
 std::string run_text(const Setup& setup, const CheckFacts& facts) {
   std::string text = "a run\n";
   const char* const or_more = facts.steps.fixed ? "" : " or more";
-  text += fmt::format("  steps           {}{}\n", facts.steps.expected, or_more);
+  text += fmt::format("  steps           {}{}\n", count_text(facts.steps.expected), or_more);
   if (facts.time) {
     const TimeForecast& time = *facts.time;
     text += fmt::format("  wall time       {}{} with {} thread{}: {:.3g} ms a step (from {} steps)\n",
@@ -103,9 +112,9 @@ std::string run_text(const Setup& setup, const CheckFacts& facts) {
   text += fmt::format("  memory          {}", bytes_text(peak));
   if (facts.memory_available > 0.0 && peak > facts.memory_available)
     text += fmt::format(", more than the {} that can be had here", bytes_text(facts.memory_available));
-  text += fmt::format("\n  disk            {}: {:.0f} frames of {}, two checkpoints of {}\n",
-                      bytes_text(facts.frames * facts.frame_bytes + 2.0 * facts.checkpoint_bytes), facts.frames,
-                      bytes_text(facts.frame_bytes), bytes_text(facts.checkpoint_bytes));
+  text += fmt::format("\n  disk            {}: {} frames of {}, two checkpoints of {}\n",
+                      bytes_text(facts.frames * facts.frame_bytes + 2.0 * facts.checkpoint_bytes),
+                      count_text(facts.frames), bytes_text(facts.frame_bytes), bytes_text(facts.checkpoint_bytes));
   text += fmt::format("  stored fields   position{}{} every {:.6g} {}\n", setup.output_fields.empty() ? "" : ", ",
                       fmt::join(setup.output_fields, ", "), setup.source.output.interval, setup.source.units.time);
   return text;
@@ -118,9 +127,8 @@ std::string change_text(const Setup& setup, const CheckFacts& facts, const Advic
     if (std::abs(after - before) > 0.05 * before)
       changes.push_back(fmt::format("{} {} -> {}", what, text(before), text(after)));
   };
-  const auto whole = [](double value) { return fmt::format("{:.0f}", value); };
-  note("particles", setup.scene.particle_count, static_cast<double>(one.particles), whole);
-  note("steps", static_cast<double>(facts.steps.expected), static_cast<double>(one.steps), whole);
+  note("particles", setup.scene.particle_count, static_cast<double>(one.particles), count_text);
+  note("steps", facts.steps.expected, one.steps, count_text);
   note("memory", facts.memory.peak(), one.memory, bytes_text);
   note("disk", facts.frames * facts.frame_bytes + 2.0 * facts.checkpoint_bytes, one.disk, bytes_text);
   return fmt::format("{}", fmt::join(changes, ", "));

@@ -4,8 +4,10 @@
 #include <iostream>
 #include <memory>
 
+#include "diagnostics/resources.hpp"
 #include "interrupt.hpp"
 #include "options.hpp"
+#include "room.hpp"
 #include "simulation/resume_rules.hpp"
 #include "simulation/run.hpp"
 #include "verbs.hpp"
@@ -24,11 +26,15 @@ struct Options {
 ExitCode resume(const Options& options) {
   use_threads(options.running);
   const auto registry = load_plugins(options.plugin_folders, options.running.quiet);
+  const auto program = static_cast<double>(resident_memory());
+  const CaseOptions stored{(std::filesystem::path(options.folder) / "case.toml").string(), {}, options.plugin_folders};
   RunOptions run;
   run.folder = options.folder;
   run.profile = options.running.profile;
   run.trace = options.running.trace;
   run.stop = &stop_on_signal();
+  // It began elsewhere, perhaps, where there was more memory.
+  run.inspect = [&](const Setup& setup) { refuse_beyond_memory(setup, program, with_settings(stored, registry)); };
   Log log(options.running.quiet);
   Progress progress(std::cerr, Progress::style_for(2, options.running.quiet));
   return resume_run(registry, run, options.changes, log, progress);

@@ -3,8 +3,10 @@
 #include <iostream>
 #include <memory>
 
+#include "diagnostics/resources.hpp"
 #include "interrupt.hpp"
 #include "options.hpp"
+#include "room.hpp"
 #include "verbs.hpp"
 
 namespace mesogen::app {
@@ -38,7 +40,10 @@ void keep_case(const std::filesystem::path& folder, const std::string& case_file
 ExitCode run(const Options& options) {
   use_threads(options.running);
   const auto registry = load_plugins(options.source.plugin_folders, options.running.quiet);
+  const auto program = static_cast<double>(resident_memory());
+  const SetUpWith set_up_with = with_settings(options.source, registry);
   Case source = read(options.source, registry);
+  refuse_far_beyond_memory(source, program, set_up_with);
   RunOptions run;
   run.folder = options.output.empty() ? default_folder(options.source.file) : std::filesystem::path(options.output);
   keep_case(run.folder, options.source.file);
@@ -47,6 +52,10 @@ ExitCode run(const Options& options) {
   run.trace = options.running.trace;
   run.stop = &stop_on_signal();
   Log log(options.running.quiet);
+  run.inspect = [&](const Setup& setup) {
+    refuse_beyond_memory(setup, program, set_up_with);
+    warn_of_limits(setup, run.folder, log);
+  };
   Progress progress(std::cerr, Progress::style_for(2, options.running.quiet));
   return run_case(std::move(source), registry, run, log, progress);
 }

@@ -58,12 +58,8 @@ class Checker {
       charge += defect[2];
       if (std::abs(defect[2]) != 0.5)
         return refuse(key, fmt::format("row {}: the charge must be 0.5 or -0.5, but is {}", row + 1, defect[2]));
-      for (std::size_t axis = 0; axis < 2 && size.size() == 2; ++axis)
-        if (!(defect[axis] >= 0.0 && defect[axis] < size[axis]))
-          return refuse(key, fmt::format("row {}: must lie in the box, {} from 0 to {} {}, but is at {}", row + 1,
-                                         axis == 0 ? "x" : "y", size[axis], case_.units.length, defect[axis]));
-      for (std::size_t other = 0; other < row; ++other)
-        if (rows[other][0] == defect[0] && rows[other][1] == defect[1])
+      for (std::size_t other = 0; other < row && size.size() == 2; ++other)
+        if (same_place(rows[other], defect))
           return refuse(key, fmt::format("rows {} and {} are at the same place", other + 1, row + 1));
     }
     if (charge != 0.0)
@@ -79,6 +75,14 @@ class Checker {
   }
 
  private:
+  /// Also from one face of the box to the other: the field of defects is periodic.
+  [[nodiscard]] bool same_place(const std::vector<double>& a, const std::vector<double>& b) const {
+    const auto& size = case_.domain.size;
+    for (std::size_t axis = 0; axis < 2; ++axis)
+      if (!(std::abs(std::remainder(a[axis] - b[axis], size[axis])) <= 1e-9 * size[axis])) return false;
+    return true;
+  }
+
   void refuse(const std::string& key, const std::string& text) { problems_.add(case_.place(key), key, text); }
 
   const Case& case_;

@@ -115,7 +115,10 @@ ParameterList director(Case::Director& director) {
         .sizes({4})
         .required();
   if (applies(director, "defects"))
-    list.rows("defects", director.defects).doc("rows x (m), y (m), charge (0.5 or -0.5)").sizes({3}).required();
+    list.rows("defects", director.defects)
+        .doc("rows x (m), y (m), charge (0.5 or -0.5); beyond a periodic face they are folded into the box")
+        .sizes({3})
+        .required();
   if (applies(director, "core"))
     list.number("core", director.core).unit("m").doc("core radius of the defects; by default the spacing").above(0.0);
   return list;

@@ -4,6 +4,8 @@
 #include <fstream>
 #include <string>
 
+#include "diagnostics/memory_limits.hpp"
+
 namespace mesogen {
 
 namespace {
@@ -32,6 +34,11 @@ std::int64_t peak_memory() { return bytes_in("/proc/self/status", "VmHWM:"); }
 
 std::int64_t resident_memory() { return bytes_in("/proc/self/status", "VmRSS:"); }
 
-std::int64_t available_memory() { return bytes_in("/proc/meminfo", "MemAvailable:"); }
+std::int64_t available_memory() {
+  std::int64_t least = bytes_in("/proc/meminfo", "MemAvailable:");
+  for (const auto& left : {memory_left_in_groups("/"), address_space_left()})
+    if (left && (least == 0 || *left < static_cast<double>(least))) least = static_cast<std::int64_t>(*left);
+  return least;
+}
 
 }  // namespace mesogen

@@ -16,7 +16,8 @@ MESOGEN_EXPORT std::int64_t peak_memory();
 /// The memory that this program has resident now, bytes; 0 where the system does not tell.
 MESOGEN_EXPORT std::int64_t resident_memory();
 
-/// The memory that can still be had on this machine, bytes; 0 where the system does not tell.
+/// The memory that this program can still have, bytes: what is free on the machine, or less where a control group or
+/// a limit on the address space allows less. 0 where the system does not tell.
 MESOGEN_EXPORT std::int64_t available_memory();
 
 }  // namespace mesogen

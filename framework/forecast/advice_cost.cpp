@@ -47,10 +47,10 @@ std::optional<Advice> large_output(const AdviceInput& input) {
   if (!(input.free_disk > 0.0) || frames < 3.0 || frames * one < input.free_disk / 2.0) return std::nullopt;
   const double fewer = std::max(2.0, std::floor(input.free_disk / 4.0 / one));
   return Advice{"large_output",
-                fmt::format("{:.0f} frames of {:.3g} MB take {:.3g} GB: more than half of what is free on this disk",
+                fmt::format("{:.10g} frames of {:.3g} MB take {:.3g} GB: more than half of what is free on this disk",
                             frames, one / 1e6, frames * one / 1e9),
                 {setting("output.interval", source.time.end / (fewer - 1.0))},
-                fmt::format("{:.0f} frames, {:.2g} times fewer bytes", fewer, frames / fewer)};
+                fmt::format("{:.10g} frames, {:.2g} times fewer bytes", fewer, frames / fewer)};
 }
 
 }  // namespace mesogen::rules

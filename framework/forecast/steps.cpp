@@ -8,9 +8,7 @@ namespace mesogen {
 
 namespace {
 
-std::int64_t count(double end, double step) {
-  return std::isfinite(step) ? static_cast<std::int64_t>(std::ceil(end / step * (1.0 - 1e-9))) : 2;
-}
+double count(double end, double step) { return std::isfinite(step) ? std::ceil(end / step * (1.0 - 1e-9)) : 2.0; }
 
 }  // namespace
 
@@ -29,6 +27,16 @@ StepForecast forecast_steps(const Setup& setup) {
   steps.limit_at_speed = moving.limit;
   steps.expected = count(time.end, moving.seconds);
   return steps;
+}
+
+double times_due(const Setup& setup, std::size_t reader, double steps) {
+  const double end = setup.source.time.end;
+  const bool output = reader == setup.observers.size();
+  const auto timing = output ? ObserverTiming{setup.source.output.interval, {}} : setup.observers[reader].timing;
+  const double last = 1.0;
+  if (timing.every) return std::floor(steps / static_cast<double>(*timing.every)) + last;
+  if (timing.interval) return std::ceil(end / *timing.interval * (1.0 - 1e-9));
+  return last;
 }
 
 }  // namespace mesogen

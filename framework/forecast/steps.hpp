@@ -1,6 +1,6 @@
 #pragma once
 
-#include <cstdint>
+#include <cstddef>
 #include <string>
 
 #include "mesogen/export.hpp"
@@ -9,18 +9,21 @@
 namespace mesogen {
 
 /// How many steps a run will take. Where the step is chosen as the run goes, it shortens as the flow speeds up, so both
-/// counts are the least that it can take.
+/// counts are the least that it can take. They are whole numbers; infinite where they are beyond all numbers.
 struct StepForecast {
-  double first = 0.0;        ///< size of a step of the fluid at rest, s; infinite if nothing limits it
-  std::string limit;         ///< what binds then
-  std::int64_t at_rest = 0;  ///< steps if the flow never binds
-  double speed = 0.0;        ///< that the case expects, m/s; 0: it names none
-  double at_speed = 0.0;     ///< size of a step at that speed, s
+  double first = 0.0;     ///< size of a step of the fluid at rest, s; infinite if nothing limits it
+  std::string limit;      ///< what binds then
+  double at_rest = 0.0;   ///< steps if the flow never binds
+  double speed = 0.0;     ///< that the case expects, m/s; 0: it names none
+  double at_speed = 0.0;  ///< size of a step at that speed, s
   std::string limit_at_speed;
-  std::int64_t expected = 0;  ///< steps at that speed, or else those at rest
-  bool fixed = false;         ///< the case names the step
+  double expected = 0.0;  ///< steps at that speed, or else those at rest
+  bool fixed = false;     ///< the case names the step
 };
 
 MESOGEN_EXPORT StepForecast forecast_steps(const Setup& setup);
+
+/// How often a reader is due in so many steps, beside the start: an observer by its number, the output after the last.
+MESOGEN_EXPORT double times_due(const Setup& setup, std::size_t reader, double steps);
 
 }  // namespace mesogen

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <functional>
+#include <memory>
 #include <vector>
 
 #include "diagnostics/resources.hpp"
@@ -41,22 +43,27 @@ double median_of(int tries, Action&& action) {
   return all[all.size() / 2];
 }
 
-/// The first steps of a run, each part by itself.
+/// The first steps of a run, each part by itself. None goes beyond the end: a run that ends sooner begins once more, in
+/// steps so short that it does not end again. What a step costs does not depend on its size.
 class Rehearsal {
  public:
-  explicit Rehearsal(Setup& setup) : setup_(setup), stepper_(setup), observation_(stepper_) {}
+  Rehearsal(Setup& setup, const std::function<std::unique_ptr<Setup>()>& set_up_again)
+      : setup_(&setup), set_up_again_(set_up_again) {
+    make_parts();
+  }
 
   void start() {
-    stepper_.start();
-    observation_.start();
+    stepper_->start();
+    observation_->start();
     observe(everybody(true));
   }
 
   /// One step, with these readers due at its end; s.
   double step(const std::vector<bool>& due) {
+    if (stepper_->world().time >= end()) begin_again();
     return seconds([&] {
-      const double later = stepper_.world().time + 2.0 * setup_.source.time.end;
-      stepper_.advance(stepper_.next_step(later), due);
+      const double now = stepper_->world().time;
+      stepper_->advance(stepper_->next_step(std::min(end(), now + longest_)), due);
       observe(due);
     });
   }
@@ -72,49 +79,68 @@ class Rehearsal {
   }
 
   double sorting() {
-    return seconds([&] { stepper_.world().sort_anew(); });
+    return seconds([&] { stepper_->world().sort_anew(); });
   }
 
   /// Making the bytes of a checkpoint; s.
   double checkpoint() {
     return seconds([&] {
       Checkpoint checkpoint;
-      stepper_.save(checkpoint);
-      observation_.save(checkpoint);
+      stepper_->save(checkpoint);
+      observation_->save(checkpoint);
       (void)output::encode_checkpoint(checkpoint, 0);
     });
   }
 
-  [[nodiscard]] std::size_t readers() const { return setup_.observers.size() + 1; }
-  [[nodiscard]] std::int64_t sortings() { return stepper_.world().neighbourhood.sortings(); }
-  [[nodiscard]] double skin() { return stepper_.world().neighbourhood.skin(); }
-  [[nodiscard]] double fastest() const { return stepper_.fastest(); }
+  [[nodiscard]] std::size_t readers() const { return setup_->observers.size() + 1; }
+  [[nodiscard]] std::int64_t sortings() { return sorted_before_ + stepper_->world().neighbourhood.sortings(); }
+  /// Processor time of stepping and of all else, but for beginning again; s.
+  [[nodiscard]] double cpu() const { return cpu_seconds() - cpu_of_beginning_again_; }
+  [[nodiscard]] double skin() { return stepper_->world().neighbourhood.skin(); }
+  [[nodiscard]] double fastest() const { return stepper_->fastest(); }
 
  private:
   [[nodiscard]] std::vector<bool> everybody(bool due) const {
-    std::vector<bool> all(setup_.observers.size() + 1, due);
+    std::vector<bool> all(setup_->observers.size() + 1, due);
     return all;
   }
 
-  void observe(const std::vector<bool>& due) {
-    observation_.sample(due, [](const std::string&, const Sample&) {});
-    if (due.back()) (void)output::encode_frame(observation_.frame(), {}, setup_.scene.dimension);
+  [[nodiscard]] double end() const { return setup_->source.time.end; }
+
+  void make_parts() {
+    stepper_ = std::make_unique<Stepper>(*setup_);
+    observation_ = std::make_unique<Observation>(*stepper_);
   }
 
-  Setup& setup_;
-  Stepper stepper_;
-  Observation observation_;
-};
+  // With plugins that are new, since these have seen the end of a run.
+  void begin_again() {
+    const double cpu_before = cpu_seconds();
+    sorted_before_ = sortings();
+    observation_.reset();
+    stepper_.reset();
+    again_ = set_up_again_();
+    setup_ = again_.get();
+    make_parts();
+    longest_ = end() / (most_steps + 10.0 * static_cast<double>(readers()));
+    start();
+    sorted_before_ -= stepper_->world().neighbourhood.sortings();
+    cpu_of_beginning_again_ += cpu_seconds() - cpu_before;
+  }
 
-double times_due(const Setup& setup, std::size_t reader, std::int64_t steps) {
-  const double end = setup.source.time.end;
-  const bool output = reader == setup.observers.size();
-  const auto timing = output ? ObserverTiming{setup.source.output.interval, {}} : setup.observers[reader].timing;
-  const double last = 1.0;
-  if (timing.every) return std::floor(static_cast<double>(steps) / static_cast<double>(*timing.every)) + last;
-  if (timing.interval) return std::ceil(end / *timing.interval * (1.0 - 1e-9));
-  return last;
-}
+  void observe(const std::vector<bool>& due) {
+    observation_->sample(due, [](const std::string&, const Sample&) {});
+    if (due.back()) (void)output::encode_frame(observation_->frame(), {}, setup_->scene.dimension);
+  }
+
+  std::unique_ptr<Setup> again_;
+  Setup* setup_;
+  const std::function<std::unique_ptr<Setup>()>& set_up_again_;
+  std::unique_ptr<Stepper> stepper_;
+  std::unique_ptr<Observation> observation_;
+  std::int64_t sorted_before_ = 0;
+  double cpu_of_beginning_again_ = 0.0;
+  double longest_ = HUGE_VAL;  // of steps, s
+};
 
 /// Particles are sorted anew when one has strayed by half the skin.
 double count_sortings(double steps, double step_size, double speed, double skin) {
@@ -124,10 +150,11 @@ double count_sortings(double steps, double step_size, double speed, double skin)
 
 }  // namespace
 
-TimeForecast forecast_time(Setup& setup, const StepForecast& steps, double start_up, double budget) {
+TimeForecast forecast_time(Setup& setup, const std::function<std::unique_ptr<Setup>()>& set_up_again,
+                           const StepForecast& steps, double start_up, double budget) {
   TimeForecast time;
   time.threads = omp_get_max_threads();
-  Rehearsal run(setup);
+  Rehearsal run(setup, set_up_again);
   time.start = start_up + seconds([&] { run.start(); });
   const double fastest = run.fastest();
   run.step();
@@ -140,12 +167,12 @@ TimeForecast forecast_time(Setup& setup, const StepForecast& steps, double start
   // Steps that happen to sort count for their number, without the sorting.
   const std::int64_t sorted = run.sortings();
   double stepping = 0.0;
-  const double cpu_before = cpu_seconds();
+  const double cpu_before = run.cpu();
   while (time.timed_steps < fewest_steps || (stepping < budget && time.timed_steps < most_steps)) {
     stepping += run.step();
     ++time.timed_steps;
   }
-  const double processors = (cpu_seconds() - cpu_before) / stepping;
+  const double processors = (run.cpu() - cpu_before) / stepping;
   const double sorting = static_cast<double>(run.sortings() - sorted) * time.sorting;
   time.step = std::max(stepping - sorting, stepping / 2.0) / time.timed_steps;
 
@@ -155,7 +182,7 @@ TimeForecast forecast_time(Setup& setup, const StepForecast& steps, double start
     const double extra = std::max(0.0, with - time.step);
     time.observing += extra * times_due(setup, n, steps.expected);
   }
-  const auto count = static_cast<double>(steps.expected);
+  const double count = steps.expected;
   // The expected speed is the largest that there will be; on the way to it the flow is slower.
   const double speed = std::max(fastest, expected_speed(setup.scene) / 2.0);
   const Transport& flow = setup.graph->transport();

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <functional>
+#include <memory>
+
 #include "forecast/steps.hpp"
 #include "mesogen/export.hpp"
 #include "simulation/setup.hpp"
@@ -22,7 +25,8 @@ struct TimeForecast {
 
 /// Takes the first steps of the case in this process, for about `budget` seconds, and writes nothing. `start_up`: what
 /// this program took until now, s. The setup is used up: its observers have seen the steps. Throws Error(run_failed) if
-/// the run breaks down so soon.
-MESOGEN_EXPORT TimeForecast forecast_time(Setup& setup, const StepForecast& steps, double start_up, double budget);
+/// the run breaks down so soon. A run that ends within this time is begun once more, as `set_up_again` makes it.
+MESOGEN_EXPORT TimeForecast forecast_time(Setup& setup, const std::function<std::unique_ptr<Setup>()>& set_up_again,
+                                          const StepForecast& steps, double start_up, double budget);
 
 }  // namespace mesogen

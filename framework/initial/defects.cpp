@@ -1,12 +1,33 @@
 #include "initial/defects.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
+#include <cstdint>
 #include <numbers>
+
+#include "mesogen/domain/periodic.hpp"
 
 namespace mesogen {
 
 namespace {
 constexpr double pi = std::numbers::pi;
+}
+
+std::string fold_defects(Case& source, const std::array<bool, 3>& periodic) {
+  auto& rows = source.director.defects;
+  for (std::size_t row = 0; row < rows.size(); ++row)
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+      const double given = rows[row][axis];
+      const double size = source.domain.size[axis];
+      std::int32_t boxes = 0;
+      if (periodic[axis]) wrap_into_box(size, rows[row][axis], boxes);
+      if (rows[row][axis] >= 0.0 && rows[row][axis] < size) continue;
+      return fmt::format("row {}: must lie in the box, {} from 0 to {} m, {}, but is at {}", row + 1,
+                         axis == 0 ? "x" : "y", size,
+                         periodic[axis] ? "or within 1e9 boxes of it" : "where this axis ends at walls", given);
+    }
+  return {};
 }
 
 DefectField::DefectField(const Case& source)

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <string>
 #include <vector>
 
 #include "case/case.hpp"
@@ -11,6 +13,10 @@ struct DirectorValue {
   double order;
   double angle;
 };
+
+/// Folds the defects of a case into its box along the periodic axes: a place beyond a face is the same as one inside.
+/// Returns what is wrong with a defect that still lies outside, in words; empty if none does.
+MESOGEN_EXPORT std::string fold_defects(Case& source, const std::array<bool, 3>& periodic);
 
 /// The director around given defects in a periodic box: the angle is harmonic (a minimum of the elastic energy with
 /// one constant), turns by 2 pi times the charge around each defect, and fits the box.
@@ -25,7 +31,7 @@ struct DirectorValue {
 /// length (physically sqrt(elastic_constant / |A|)).
 class DefectField {
  public:
-  /// Of a checked case: charges add up to 0.
+  /// Of a checked case: charges add up to 0, and all defects lie in the box.
   explicit DefectField(const Case& source);
   /// Order relative to that far from defects, and angle modulo pi, at a point of the box.
   [[nodiscard]] DirectorValue at(double x, double y) const;

@@ -97,6 +97,13 @@ bool holds_other_case(const fs::path& folder) {
          });
 }
 
+/// Files of somebody else's, among which those of a run would be scattered. A lock or a log is left of a run too.
+bool holds_no_run_but_files(const fs::path& folder) {
+  std::error_code error;
+  if (!fs::exists(folder, error) || fs::is_empty(folder, error) || error) return false;
+  return !holds_run(folder) && !fs::exists(folder / "mesogen.lock", error) && !fs::exists(folder / "run.log", error);
+}
+
 }  // namespace
 
 namespace output {
@@ -176,6 +183,10 @@ RunLock start_run_folder(const fs::path& given, const std::string& case_text, bo
                                           "--overwrite, or choose another --output");
   };
   refuse_run();
+  if (holds_no_run_but_files(folder))
+    throw Error(ExitCode::bad_case, folder.string() +
+                                        " is not empty and holds no run: choose another --output, such as a new folder "
+                                        "in it");
   if (!fs::exists(folder, error) || fs::is_empty(folder, error)) {
     std::optional<RunLock> lock = start_new_folder(folder, case_text, first);
     if (lock) return std::move(*lock);

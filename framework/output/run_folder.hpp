@@ -36,8 +36,8 @@ MESOGEN_EXPORT bool belongs_to_run(const std::filesystem::path& file);
 /// case.toml or not at all, so a run killed at any moment can be resumed if its folder is there.
 /// `first`: the checkpoint that a branch starts from, which is there as soon as its case is.
 /// With `overwrite`, the files that a run writes are removed first; any other file stays.
-/// Throws Error(bad_case) if the folder holds a run and may not be overwritten, holds a case.toml that no run stored,
-/// is in use, or cannot be made.
+/// Throws Error(bad_case) if the folder holds a run and may not be overwritten, holds files but no run, is in use, or
+/// cannot be made.
 [[nodiscard]] MESOGEN_EXPORT RunLock start_run_folder(const std::filesystem::path& folder, const std::string& case_text,
                                                       bool overwrite, const Checkpoint* first = nullptr);
 

@@ -121,6 +121,7 @@ ExitCode branch_run(const PluginRegistry& registry, const BranchPoint& from, con
   Found found = find_checkpoint(from, after->source.units);
   check_branched_setup(*before, *after, found.checkpoint, problems);
   problems.throw_if_any();
+  if (options.inspect) options.inspect(*after);
   const std::string name = (from.folder / found.file).string();
   const Checkpoint first = first_checkpoint(*before, *after, from, changes, std::move(found));
   const RunLock lock = start_run_folder(options.folder, after->resolved_text, options.overwrite, &first);

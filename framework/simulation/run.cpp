@@ -301,6 +301,7 @@ ExitCode run_case(Case source, const PluginRegistry& registry, const RunOptions&
                   Progress& progress) {
   Problems problems;
   const auto setup = set_up(std::move(source), registry, problems);
+  if (options.inspect) options.inspect(*setup);
   RunTrace::check(options.trace, options.folder);
   const RunLock lock = start_run_folder(options.folder, setup->resolved_text, options.overwrite);
   return start_session(*setup, options, log, progress);

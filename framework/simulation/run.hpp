@@ -2,6 +2,7 @@
 
 #include <atomic>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -21,6 +22,8 @@ struct RunOptions {
   std::filesystem::path trace;  ///< file for a trace of it; empty: none
   /// Set by a signal handler: stop at the next step, with a checkpoint.
   const std::atomic<bool>* stop = nullptr;
+  /// Looks at the case once it is set up, before anything is written; may throw to refuse it.
+  std::function<void(const Setup&)> inspect = {};
 };
 
 /// Runs a case into a new folder. Returns `done`, or `interrupted` with a checkpoint written.

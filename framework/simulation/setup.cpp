@@ -1,14 +1,18 @@
 #include "simulation/setup.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <set>
 #include <stdexcept>
 
 #include "case/nearest.hpp"
 #include "case/resolved.hpp"
+#include "initial/defects.hpp"
 #include "initial/fields.hpp"
 #include "plugin/plugin_call.hpp"
 #include "simulation/choose_backend.hpp"
+#include "simulation/fewest_neighbours.hpp"
 #include "simulation/rounded_text.hpp"
 #include "simulation/smoothing.hpp"
 #include "sph/lattice.hpp"
@@ -39,6 +43,7 @@ class SetupBuilder {
   void choose_backend();
   void make_plugins();
   void choose_kernel();
+  void place_defects();
   void put_together();
   [[nodiscard]] bool refused() const { return refused_; }
 
@@ -53,6 +58,7 @@ class SetupBuilder {
   void choose_output();
   void plan_observers();
   void refuse_traces();
+  void refuse_few_neighbours();
 
   Setup& setup_;
   const Case& source_;
@@ -149,9 +155,18 @@ void SetupBuilder::choose_kernel() {
     return;
   }
   setup_.smoothing = smoothing_of(source_, std::move(setup_.smoothing.shape));
+  if (const std::string problem = range_problem(source_, setup_.smoothing); !problem.empty())
+    problems_.add(source_.place("particles.spacing"), "particles.spacing", problem);
   const bool walls = setup_.boundary && !setup_.boundary->periodic(shortest_axis(source_));
   if (const std::string problem = support_problem(source_, setup_.smoothing, walls); !problem.empty())
     problems_.add(source_.place("kernel.smoothing_length"), "kernel.smoothing_length", problem);
+}
+
+void SetupBuilder::place_defects() {
+  if (!setup_.boundary || source_.domain.size.size() != 2) return;
+  const std::array<bool, 3> periodic = {setup_.boundary->periodic(0), setup_.boundary->periodic(1), false};
+  if (const std::string problem = fold_defects(setup_.source, periodic); !problem.empty())
+    problems_.add(source_.place("director.defects"), "director.defects", problem);
 }
 
 void SetupBuilder::describe_scene() {
@@ -274,6 +289,22 @@ void SetupBuilder::refuse_traces() {
                     why + "this observer would see nothing move; remove it, or take motion = \"lagrangian\"");
 }
 
+// Only where the scene sums over neighbours.
+void SetupBuilder::refuse_few_neighbours() {
+  const StepGraph& graph = *setup_.graph;
+  std::set<std::string> derived = graph.derived_for_integration();
+  for (std::size_t n = 0; n <= setup_.observers.size(); ++n)
+    derived.insert(graph.derived_for_reader(n).begin(), graph.derived_for_reader(n).end());
+  if (derived.empty() && !graph.sums_pairs()) return;
+  const Transport& flow = graph.transport();
+  const NeighbourNeeds needs{
+      .quadratic = source_.laplacian == "consistent" &&
+                   std::ranges::any_of(derived, [](const std::string& name) { return name.ends_with("_laplacian"); }),
+      .moving = !flow.velocity.empty() && !flow.fixed};
+  if (const std::string problem = neighbours_problem(source_, setup_.smoothing, needs); !problem.empty())
+    problems_.add(source_.place("kernel.smoothing_length"), "kernel.smoothing_length", problem);
+}
+
 void SetupBuilder::put_together() {
   // Fields depend on which plugins there are, the rest on sound parameters too.
   const bool all_made =
@@ -295,6 +326,7 @@ void SetupBuilder::put_together() {
   for (const auto& member : setup_.observers) readers.push_back({"observers." + member.instance, member.fields});
   readers.push_back({"output.fields", setup_.output_fields});
   setup_.graph = std::make_unique<StepGraph>(setup_.catalogue, members, readers, *setup_.backend);
+  refuse_few_neighbours();
   setup_.resolved_text = resolved_.text();
 }
 
@@ -307,6 +339,7 @@ std::unique_ptr<Setup> set_up(Case source, const PluginRegistry& registry, Probl
   builder.choose_backend();
   builder.make_plugins();
   builder.choose_kernel();
+  builder.place_defects();
   try {
     builder.put_together();
   } catch (const Error& error) {

@@ -15,6 +15,22 @@ sph::SmoothingKernel smoothing_of(const Case& source, sph::KernelShape shape) {
   return kernel;
 }
 
+std::string range_problem(const Case& source, const sph::SmoothingKernel& kernel) {
+  const bool single = source.run.precision == Precision::single_precision;
+  // Neighbours far out have slopes some decades below the largest, which are to be there too.
+  const double most = single ? 1e37 : 1e307;
+  const double least = single ? 1e-30 : 1e-300;
+  constexpr double q = 1e-3;
+  const double slope = kernel.shape.normalisation(2) * std::abs(kernel.shape.derivative(q)) / q;  // of h = 1
+  const double lowest = std::pow(slope / most, 0.25) / source.smoothing_length_ratio;
+  const double highest = std::pow(slope / least, 0.25) / source.smoothing_length_ratio;
+  const double spacing = source.particles.spacing;
+  if (spacing >= lowest && spacing <= highest) return {};
+  return "is beyond what the kernel's numbers can be in " + std::string(single ? "single" : "double") +
+         " precision: spacings go from " + rounded_text(lowest) + " to " + rounded_text(highest) + " m; take " +
+         (single ? "run.precision = \"double\", or " : "") + "another unit of length";
+}
+
 int shortest_axis(const Case& source) {
   const auto& size = source.domain.size;
   return size.size() == 2 && size[1] < size[0] ? 1 : 0;

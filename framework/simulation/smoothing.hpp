@@ -10,6 +10,10 @@ namespace mesogen {
 /// The kernel of a case, from its shape.
 sph::SmoothingKernel smoothing_of(const Case& source, sph::KernelShape shape);
 
+/// What is wrong where the kernel's numbers leave the range of the case's precision at its spacing, in words; empty if
+/// they do not. The widest range is that of |W'| / r, which goes with h^-4.
+std::string range_problem(const Case& source, const sph::SmoothingKernel& kernel);
+
 /// The axis along which the box is shortest.
 int shortest_axis(const Case& source);
 

@@ -2,11 +2,13 @@
 
 import argparse
 import os
+import re
 import sys
 
 from .errors import MesogenError, NoSuchName
 from .figures import director, mixing, pathlines, series, style, summary, vorticity
 from .figures.scene import Scene
+from .output_folder import foreign
 from .run import open as open_run
 
 FIGURES = {
@@ -27,15 +29,22 @@ def report(folder, frame=-1, output=None, frames=None, every=None):
     frames: (first, last), both drawn and negative from the end, None for the first or the last stored; every: each
     n-th of them. With one of these, all those frames are drawn, each to files of its own: director_000012.png.
     Yields (file, None) for a picture written, (file, reason) for one left out. Raises MesogenError if there are no
-    results or no such frame.
+    results or no such frame, or if the folder for the pictures holds files but none of a report.
     """
     with open_run(folder) as run:
         target = output or os.path.join(run.folder, "report")
+        if problem := foreign(target, lambda names: any(_is_picture(name) for name in names)):
+            raise MesogenError(problem)
         if frames is None and every is None:
             yield from _pictures(Scene(run, frame if len(run.times) else None), target, "")
             return
         for number in chosen_frames(run, frames or (None, None), every or 1):
             yield from _pictures(Scene(run, number), target, f"_{number:06}")
+
+
+def _is_picture(name):
+    """Does a file of this name come from a report: vorticity.png, vorticity_000012.png?"""
+    return any(re.fullmatch(rf"{figure}(_\d{{6,}})?\.png", name) for figure in FIGURES)
 
 
 def chosen_frames(run, frames, every):

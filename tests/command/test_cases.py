@@ -107,6 +107,33 @@ class WrongCases(CommandTest):
     def test_support_beyond_half_the_box(self):
         self.refused(CASE.replace("1.3333", "40.0"), "smoothing_length", "case.toml:9")
 
+    def test_spacing_whose_numbers_overflow(self):
+        single = 'precision = "single"'
+        tiny = CASE.replace("[1.6, 1.6]", "[1.6e-9, 1.6e-9]").replace("spacing = 0.1", "spacing = 1e-10")
+        huge = CASE.replace("[1.6, 1.6]", "[1.6e9, 1.6e9]").replace("spacing = 0.1", "spacing = 1e8")
+        for text in (tiny, huge):
+            text = text.replace('precision = "double"', single)
+            self.refused(text, "case.toml:6:11: particles.spacing: is beyond what the kernel's numbers can be in single "
+                               "precision: spacings go from 3.", ' m; take run.precision = "double", or another unit of length')
+            self.mesogen("check", self.write_case(text.replace(single, 'precision = "double"')), "--quick")
+
+    def test_too_few_neighbours(self):
+        self.refused(CASE.replace("1.3333", "0.1"), "case.toml:9:20: kernel.smoothing_length: is 0.1 particle spacings, "
+                     'which leaves a particle too few neighbours for second derivatives: the kernel "quintic" needs at least '
+                     "0.54 here, where particles start in a lattice arrangement and move")
+        self.mesogen("run", self.write_case(CASE.replace("1.3333", "0.54")), "--output", "out")
+
+    def test_defect_at_a_periodic_face(self):
+        defects = 'type = "defects"\ndefects = [[1.6, 0.4, 0.5], [0.8, 2.8, -0.5]]'
+        text = CASE.replace('type = "modes"\nmodes = [[1, 0, 0.2, 0.3], [0, 1, 0.1, 1.1]]', defects)
+        self.mesogen("run", self.write_case(text), "--output", "face")
+        self.mesogen("run", self.write_case(text.replace("1.6, 0.4", "0.0, 0.4").replace("2.8", "1.2")), "--output", "inside")
+        difference = final(self.path("face"), "order_tensor") - final(self.path("inside"), "order_tensor")
+        self.assertLess(abs(difference).max(), 1e-9)
+        self.refused(text.replace('"periodic_ghosts"', '{ type = "walls", axes = ["x", "y"] }'),
+                     "director.defects: row 1: must lie in the box, x from 0 to 1.6 m, where this axis ends at walls, but is "
+                     "at 1.6")
+
     def test_unknown_output_field(self):
         self.refused(CASE.replace("interval = 0.05\n[run]", 'interval = 0.05\nfields = ["velocitty"]\n[run]'),
                      "output.fields", "velocitty", "velocity")

@@ -2,10 +2,13 @@
 
 import json
 import os
+import re
+import resource
+import subprocess
 import sys
 import unittest
 
-from support import CASE, PROJECT, CommandTest
+from support import CASE, MESOGEN, PROJECT, CommandTest
 
 sys.path.insert(0, os.path.join(PROJECT, "python"))
 import mesogen  # noqa: E402
@@ -32,6 +35,33 @@ bulk = { A = -1.0, C = 0.5 }
 end = 0.05
 [run]
 precision = "single"
+"""
+
+
+# Passive, between walls; sound limits its steps to some 0.02 s.
+SOON_OVER = """\
+[domain]
+size = [1.0, 1.0]
+boundary = { type = "walls", anchoring = "homeotropic" }
+[particles]
+spacing = 0.125
+[kernel]
+type = "quintic"
+[director]
+type = "uniform"
+[physics.flow]
+type = "wcsph"
+density = 1.0
+viscosity = 0.3
+[physics.nematic]
+type = "beris_edwards"
+rotational_diffusivity = 1.0
+flow_alignment = 0.5
+elastic_constant = 0.01
+[physics.elastic]
+type = "elastic_stress"
+[time]
+end = 1.0
 """
 
 
@@ -89,10 +119,17 @@ class Check(CommandTest):
         self.assertLess(told["steps_at_rest"], 50)
 
     def test_step_that_is_too_long_is_told(self):
-        out, _ = self.mesogen("check", self.write_case(), "--set", "time.step=1.0")
+        out, _ = self.mesogen("check", self.write_case(), "--set", "time.step=1.0", "--set", "time.end=20.0", "--set",
+                              "observers.flow.interval=20.0", "--set", "output.interval=20.0")
         self.assertRegex(out, r"viscosity: \S.* s +(binds +)?time\.step is \S+ times as long: the run will break down\n")
         self.assertRegex(out, r"(?m)^  wall time +not measured: the run (broke down|ran away)")
         self.assertIn("case.toml is right, but its run breaks down\n", out)
+        # A run of one such step is over before it breaks down.
+        short = ("--set", "time.step=1.0", "--set", "observers.flow.interval=1.0", "--set", "output.interval=1.0")
+        out, _ = self.mesogen("check", self.write_case(), *short)
+        self.assertRegex(out, r"time\.step is \S+ times as long: a longer run would break down\n")
+        self.assertIn("case.toml can be run\n", out)
+        self.mesogen("run", self.path("case.toml"), *short, "--output", "short")
         out, _ = self.mesogen("check", self.write_case(), "--set", "time.step=1e-6", "--quick")
         self.assertNotIn("break down", out)
 
@@ -140,6 +177,56 @@ class Check(CommandTest):
             out, _ = self.mesogen("check", case, "--quick")
             self.assertIn("can be run", out)
 
+    def test_run_that_ends_within_the_rehearsal(self):
+        # wcsph and elastic stress between walls: it breaks at 9.8 s, and a run to 1 s ends well before.
+        case = self.write_case(SOON_OVER)
+        out, err = self.mesogen("check", case)
+        self.assertEqual(err, "")
+        self.assertIn("case.toml can be run\n", out)
+        self.assertRegex(out, r"(?m)^  wall time +\S+ (s|min) or more with \d threads?: \S+ ms a step \(from \d+ steps\)$")
+        self.mesogen("run", case, "--output", "out", "--quiet")
+
+    def test_steps_without_end_are_told(self):
+        case = self.write_case()
+        for setting, words in (("time.step=1e-300", r"to 0\.1 s in steps of 1e-300 s \(limit: time\.step of the case\) a "
+                                                    r"run takes 1e\+299 steps, and time would stand still before its end"),
+                               ("time.end=1e300", r"to 1e\+300 s in steps of \S+ s \(limit: [^)]*\) a run takes \S+e\+30\d "
+                                                  r"steps, and time would stand still before its end"),
+                               ("time.step=1e-12", r"to 0\.1 s in steps of 1e-12 s \(.*\) a run takes 1e\+11 steps")):
+            arguments = ("--set", setting, "--set", "output.interval=1e300", "--set", "observers.flow.interval=1e300")
+            out, err = self.mesogen("check", case, "--quick", *arguments)
+            self.assertRegex(err, rf"^warning: {words}\n$")
+            never = "e+11" not in words.replace("\\", "")
+            self.assertIn("is right, but its run would never end" if never else "can be run", out)
+            self.assertEqual(len(json.loads(self.mesogen("check", case, "--quick", "--json", *arguments)[0])["warnings"]), 1)
+            with subprocess.Popen([MESOGEN, "run", case, "--output", setting, *arguments], cwd=self.folder, text=True,
+                                  env=self.environment(), stderr=subprocess.PIPE) as run:
+                while not re.search(words, line := run.stderr.readline()):
+                    self.assertNotEqual(line, "", "the run ended without a warning")
+                run.kill()
+        self.assertEqual(self.mesogen("check", case, "--quick")[1], "")
+
+    def test_disk_that_is_too_small(self):
+        case = self.write_case()
+        out, err = self.mesogen("check", case, "--quick", "--set", "output.interval=1e-11", code=2)
+        self.assertRegex(err, r"^error: --set: output\.interval: 1e\+10 frames of 0\.0143 MB and two checkpoints take "
+                              r"\S+ GB of disk, frames twice while they are packed at the end, where \S+ GB are free; an "
+                              r"interval of \S+ s or more fits\n$")
+        self.assertIn("case.toml cannot be run here\n", out)
+        interval = re.search(r"interval of (\S+) s or more fits", err)[1]
+        out, _ = self.mesogen("check", case, "--quick", "--set", f"output.interval={interval}")
+        self.assertIn("case.toml can be run\n", out)
+
+    def test_samples_that_do_not_fit_the_memory(self):
+        case = self.write_case()
+        for command in (["check", case, "--quick"], ["run", case, "--output", "out"]):
+            _, err = self.mesogen(*command, "--set", "observers.flow.interval=1e-13", code=2)
+            self.assertRegex(err, r"^error: --set: observers\.flow\.interval: 1e\+12 samples are kept in memory until the "
+                                  r"run ends and take \S+ GB, where \S+ GB are available; take at least \S+ s\n$")
+        self.assertFalse(os.path.exists(self.path("out")))
+        interval = re.search(r"take at least (\S+) s", err)[1]
+        self.mesogen("check", case, "--quick", "--set", f"observers.flow.interval={interval}")
+
     def test_memory_of_a_large_case_is_told_without_taking_it(self):
         case = self.write_case(STILL.replace("0.02\n[kernel]", "0.002\n[kernel]"))  # 4 million particles
         out, _ = self.mesogen("check", case, "--quick")
@@ -165,6 +252,54 @@ class Memory(CommandTest):
 
     def test_large_run_without_flow(self):
         self.expect_predicted(STILL)
+
+
+@unittest.skipIf(os.environ.get("SANITIZED"), "sanitizers take an address space beyond all limits")
+class TooLittleMemory(CommandTest):
+    """What needs more memory than there is is refused before anything is written, with what fits."""
+
+    def limited(self, *arguments, code, megabytes=4096):
+        """The command with so much address space, as by ulimit -v."""
+        done = subprocess.run([MESOGEN, *arguments], cwd=self.folder, env=self.environment(), text=True, check=False,
+                              capture_output=True, timeout=300,
+                              preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_AS, (megabytes << 20, megabytes << 20)))
+        self.assertEqual(done.returncode, code, done.stdout + done.stderr)
+        return done.stdout, done.stderr
+
+    def refusal(self, *arguments):
+        _, err = self.limited(*arguments, code=2)
+        found = re.match(r"error: \S*: particles\.spacing: \S+ particles need (\S+) GB of memory, where (\S+) GB are "
+                         r"available; (\S+) particles fit, with a spacing of (\S+) m\n$", err)
+        self.assertIsNotNone(found, err)
+        return [float(number) for number in found.groups()]
+
+    def test_particles_are_refused_with_how_many_fit(self):
+        case = self.write_case()
+        # Twice what there is, of which all is known; 400 times that, where the positions alone would not fit.
+        for spacing in ("0.00045", "4e-5"):
+            for verb in (["check"], ["check", "--quick"], ["check", "--json"], ["run", "--output", "out"]):
+                needed, available, fit, fitting = self.refusal(verb[0], case, *verb[1:], "--set", f"particles.spacing={spacing}")
+                self.assertGreater(needed, available)
+                self.assertLess(available, 4.3)
+                self.assertAlmostEqual(fit, (1.6 / fitting) ** 2, delta=2e-5 * fit)
+        self.assertFalse(os.path.exists(self.path("out")))
+        arguments = ("--set", f"particles.spacing={fitting!r}")
+        told = json.loads(self.limited("check", case, "--quick", "--json", *arguments, code=0)[0])["memory"]
+        self.assertLess(told["peak"], told["available"])
+        self.assertGreater(told["peak"], 0.6 * told["available"], "more would fit")
+
+    def test_what_is_said_to_fit_runs(self):
+        case = self.write_case()
+        shortly = ("--set", "time.end=1e-5", "--set", "run.precision=\"single\"")
+        arguments = ("run", case, "--output", "out", *shortly)
+        _, err = self.limited(*arguments, "--set", "particles.spacing=1e-3", code=2, megabytes=1024)
+        spacing = re.search(r"with a spacing of (\S+) m", err)[1]
+        self.limited(*arguments, "--set", f"particles.spacing={spacing}", code=0, megabytes=1024)
+
+    def test_resume_where_there_is_less(self):
+        self.mesogen("run", self.write_case(), "--output", "out", "--set", "particles.spacing=0.003", "--set", "time.end=1e-5")
+        _, err = self.limited("resume", "out", code=2, megabytes=256)
+        self.assertRegex(err, r"out/case\.toml:\d+:\d+: particles\.spacing: \S+ particles need ")
 
 
 if __name__ == "__main__":

@@ -61,6 +61,14 @@ class Study(CommandTest):
     def study(self, *arguments, **more):
         return self.mesogen("study", "small", "--output", "out", *arguments, **more)
 
+    def test_folder_of_somebody_else(self):
+        os.makedirs(self.path("out", "bin"))
+        for more in ([], ["--write-only"]):
+            _, err = self.study(*more, code=2)
+            self.assertEqual(err, "error: out is not empty and holds nothing of ours: choose another --output, such as a "
+                                  "new folder in it\n")
+        self.assertEqual(os.listdir(self.path("out")), ["bin"])
+
     def runs(self):
         with open(self.path("out", "activity", "runs.csv"), encoding="utf-8", newline="") as file:
             return list(csv.DictReader(file))

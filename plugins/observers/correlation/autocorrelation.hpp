@@ -59,6 +59,9 @@ class Autocorrelation {
     return sum / (Dim * total_);
   }
 
+  /// Mean square of what the modes hold, without the mean.
+  [[nodiscard]] double mean_square() const { return total_; }
+
   /// Mean over all directions of r.
   [[nodiscard]] double radial(double r) const {
     double sum = 0.0;

@@ -62,6 +62,11 @@ class Flow {
     return powers;
   }
 
+  /// Share of the velocity's mean square about its mean beyond modes which hold so much of it.
+  [[nodiscard]] double beyond(const ObserverContext& context, double mean_square) const {
+    return observed_.template share_beyond<Dim>(ById(context), "velocity", mean_square);
+  }
+
   [[nodiscard]] const mesh::Grid<Dim>& grid() const { return observed_.grid(); }
 
  private:
@@ -100,6 +105,11 @@ class Correlation final : public Observer {
                                  "correlations are those of periodic fields, and this box has walls: leave them out");
     plan_table(scene);
     plan.reads("velocity");
+    plan.scalar("velocity_beyond")
+        .unit("1")
+        .doc(
+            "share of the mean square velocity, without that of its mean, which lies beyond the modes; correlations "
+            "are those of the rest");
     for (const std::string field : {"velocity", "vorticity"}) {
       plan.table(field, 3).unit("m, 1, 1").doc(
           "separation r, up to half the shortest edge; autocorrelation of the " + field +
@@ -140,7 +150,9 @@ class Correlation final : public Observer {
   void look(const ObserverContext& context, std::unique_ptr<Flow<Dim>>& flow, Sample& sample) {
     if (!flow) flow = std::make_unique<Flow<Dim>>(context.scene(), mesh_spacing_);
     const Powers powers = flow->powers(context);
-    record(sample, "velocity", Autocorrelation<Dim>(flow->grid(), powers.velocity));
+    const Autocorrelation<Dim> of_velocity(flow->grid(), powers.velocity);
+    record(sample, "velocity", of_velocity);
+    sample.set("velocity_beyond", flow->beyond(context, of_velocity.mean_square()));
     record(sample, "vorticity", Autocorrelation<Dim>(flow->grid(), powers.vorticity));
   }
 

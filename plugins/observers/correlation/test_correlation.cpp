@@ -74,6 +74,17 @@ TEST(Correlation, VorticesOfOneWaveNumberGiveCosineAndBesselFunction) {
   }
 }
 
+// A wave of 20 along the edge is too short for the mesh of 32 points: 0.5^2 / (1 + 0.5^2) of the whole.
+TEST(Correlation, TellsTheShareOfTheVelocityBeyondItsModes) {
+  for (const double amplitude : {0.0, 0.5}) {
+    PluginHarness harness(PluginKind::observer, "correlation", "", scene_of(48, "lattice"));
+    harness.set("velocity",
+                {[amplitude](double, double y) { return 1.0 + std::sin(k1 * y) + amplitude * std::sin(20.0 * k1 * y); },
+                 [](double, double) { return 0.0; }});
+    EXPECT_NEAR(harness.sample().at("velocity_beyond").front(), amplitude > 0.0 ? 0.2 : 0.0, 1e-3);
+  }
+}
+
 // u = (sin ky, 0) is the same all along x: (1 + cos kr) / 2 over both axes, which touches 0 where cos kr is -1.
 TEST(Correlation, AxesAreAveraged) {
   PluginHarness harness(PluginKind::observer, "correlation", "separation_step = 0.03\nlevel = 0.5",
@@ -156,7 +167,7 @@ TEST(Correlation, AFlowThatIsCarriedAlongIsTheSame) {
   };
   const auto at_rest = sampled(0.0, 0.0);
   const auto carried = sampled(30.0, -12.0);
-  ASSERT_EQ(at_rest.size(), 10U);
+  ASSERT_EQ(at_rest.size(), 11U);
   for (const auto& [quantity, values] : at_rest) {
     const auto& others = carried.at(quantity);
     ASSERT_EQ(values.size(), others.size());

@@ -152,6 +152,10 @@ class DefectFlow final : public Observer {
     plan.reads_if_present("velocity_gradient");
     plan.scalar("count_plus").doc("number of +1/2 defects in the mean, over all samples so far");
     plan.scalar("count_minus").doc("number of -1/2 defects in the mean, over all samples so far");
+    plan.scalar("left_out")
+        .doc(
+            "number of defects left out of both means, over all samples so far: closer than "
+            "`isolation` to another");
     for (const auto* name : {"plus", "minus"})
       plan.table(name, 5)
           .unit("m, m, m/s, m/s, 1/s")
@@ -163,7 +167,9 @@ class DefectFlow final : public Observer {
 
   void sample(const ObserverContext& context, Sample& sample) override {
     const Scene& scene = context.scene();
-    const auto defects = isolated(search_.find(context), scene, isolation_);
+    const auto all = search_.find(context);
+    const auto defects = isolated(all, scene, isolation_);
+    left_out_ += static_cast<double>(all.size() - defects.size());
     std::vector<View> comets;
     std::vector<View> legs;
     for (const auto& defect : defects) {
@@ -186,17 +192,19 @@ class DefectFlow final : public Observer {
     });
     sample.set("count_plus", count_plus_);
     sample.set("count_minus", count_minus_);
+    sample.set("left_out", left_out_);
     sample.set("plus", plus_.rows());
     sample.set("minus", minus_.rows());
   }
 
   [[nodiscard]] std::map<std::string, std::vector<double>> save() const override {
-    return {{"counts", {count_plus_, count_minus_}}, {"plus", plus_.sums()}, {"minus", minus_.sums()}};
+    return {{"counts", {count_plus_, count_minus_, left_out_}}, {"plus", plus_.sums()}, {"minus", minus_.sums()}};
   }
 
   void restore(const std::map<std::string, std::vector<double>>& saved) override {
     count_plus_ = saved.at("counts").at(0);
     count_minus_ = saved.at("counts").at(1);
+    left_out_ = saved.at("counts").at(2);
     plus_.restore(saved.at("plus"));
     minus_.restore(saved.at("minus"));
   }
@@ -224,6 +232,7 @@ class DefectFlow final : public Observer {
 
   double count_plus_ = 0.0;  // so far
   double count_minus_ = 0.0;
+  double left_out_ = 0.0;
   Patch plus_;
   Patch minus_;
 };

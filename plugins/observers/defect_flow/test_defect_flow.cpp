@@ -232,6 +232,7 @@ TEST(DefectFlow, DefectsThatAreNotAloneAreLeftOut) {
     const auto values = observer.sample(context);
     EXPECT_EQ(values.at("count_plus")[0], isolation < 0.6 ? 2.0 : 0.0);
     EXPECT_EQ(values.at("count_minus")[0], isolation < 0.6 ? 2.0 : 0.0);
+    EXPECT_EQ(values.at("left_out")[0], isolation < 0.6 ? 0.0 : 4.0);
     EXPECT_EQ(std::isnan(values.at("plus")[2]), isolation > 0.6);
   }
 }

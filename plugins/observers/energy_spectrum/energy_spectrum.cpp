@@ -7,6 +7,8 @@
 /// so that its integral is half the mean square velocity. dk = 2 pi / L, of the longest edge. Modes are fitted to the
 /// velocities of the particles (analysis/observed_modes.hpp).
 ///
+/// What the modes do not hold, of waves beyond the last shell, is recorded as a share of the whole: `energy_beyond`.
+///
 /// A shell holds more or fewer modes than its area in wave space says, and not all of one length. So a slope s is that
 /// of the power law whose sums over the very modes of the shells, sum |k|^(s - d + 1), go with k as E does: log E
 /// against log k, by least squares, all shells alike. That is exact for a power law.
@@ -96,11 +98,19 @@ class Spectrum {
     width_ = 2.0 * std::numbers::pi / width_;
   }
 
-  /// By shell, from the first; the mean velocity is in none.
-  std::vector<Shell> shells(const ObserverContext& context) {
+  struct Seen {
+    std::vector<Shell> shells;  // from the first; the mean velocity is in none
+    double beyond = 0.0;        // share of the energy that is in none of them
+  };
+
+  Seen look(const ObserverContext& context) {
     const ById particles(context);
     observed_.locate(particles);
-    return shared_out(observed_.template modes<Dim>(particles, "velocity"));
+    Seen seen{shared_out(observed_.template modes<Dim>(particles, "velocity"))};
+    double energy = 0.0;
+    for (const Shell& shell : seen.shells) energy += shell.energy;
+    seen.beyond = observed_.template share_beyond<Dim>(particles, "velocity", 2.0 * energy);
+    return seen;
   }
 
  private:
@@ -163,13 +173,26 @@ class EnergySpectrum final : public Observer {
         .unit("1/m, m3/s2, 1")
         .doc("by shell: mean wave number of its modes, E(k), number of modes");
     plan.scalar("energy").unit("m2/s2").doc("sum over the spectrum: half the mean square velocity, as far as it goes");
+    plan.scalar("energy_beyond")
+        .unit("1")
+        .doc("share of the energy, without that of the mean velocity, which lies beyond the spectrum");
     plan.scalar("mean_wave_number").unit("1/m").doc("mean of k, weighted with the energy");
     if (!ranges_.empty())
       plan.table("slopes", 4).unit("1/m, 1/m, 1, 1").doc("by range: from, to, slope, its standard error in the fit");
   }
 
   void sample(const ObserverContext& context, Sample& sample) override {
-    const auto shells = context.scene().dimension == 2 ? look<2>(context, flat_) : look<3>(context, solid_);
+    if (context.scene().dimension == 2) {
+      record(context, look<2>(context, flat_), sample);
+    } else {
+      record(context, look<3>(context, solid_), sample);
+    }
+  }
+
+ private:
+  template <class Seen>
+  void record(const ObserverContext& context, const Seen& seen, Sample& sample) const {
+    const std::vector<Shell>& shells = seen.shells;
     double longest = 0.0;
     for (int d = 0; d < context.scene().dimension; ++d)
       longest = std::max(longest, context.scene().box[static_cast<std::size_t>(d)]);
@@ -185,6 +208,7 @@ class EnergySpectrum final : public Observer {
     }
     sample.set("spectrum", rows);
     sample.set("energy", energy);
+    sample.set("energy_beyond", seen.beyond);
     sample.set("mean_wave_number", moment / energy);
     if (ranges_.empty()) return;
     std::vector<double> slopes;
@@ -195,11 +219,10 @@ class EnergySpectrum final : public Observer {
     sample.set("slopes", slopes);
   }
 
- private:
   template <int Dim>
-  std::vector<Shell> look(const ObserverContext& context, std::unique_ptr<Spectrum<Dim>>& spectrum) {
+  typename Spectrum<Dim>::Seen look(const ObserverContext& context, std::unique_ptr<Spectrum<Dim>>& spectrum) {
     if (!spectrum) spectrum = std::make_unique<Spectrum<Dim>>(context.scene(), mesh_spacing_);
-    return spectrum->shells(context);
+    return spectrum->look(context);
   }
 
   double mesh_spacing_ = 1.5;

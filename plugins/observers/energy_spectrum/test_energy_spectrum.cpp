@@ -60,6 +60,47 @@ TEST(EnergySpectrum, ShellsHoldTheModesOfTheirArea) {
   for (const Row& row : rows) EXPECT_NEAR(row.energy, 0.0, 1e-20) << "the mean velocity is in no shell";
 }
 
+// The spectrum goes to ten waves along an edge here: a mesh of 32 points of which two thirds of the modes are kept.
+TEST(EnergySpectrum, TellsTheShareOfTheEnergyBeyondIt) {
+  const double k = two_pi / 2.0;
+  struct {
+    double along, across, amplitude, share, tolerance;
+  } const waves[] = {
+      {0.0, 3.0, 0.0, 0.0, 1e-6},         // nothing is beyond
+      {0.0, 5.0, 0.5, 0.0, 1e-5},         // nor is a second wave within
+      {0.0, 20.0, 0.5, 0.2, 1e-3},        // 0.5^2 / (1 + 0.5^2): a wave too short for the mesh
+      {0.0, 20.0, 0.1, 1.0 / 101, 1e-4},  // one that hardly shows
+      {9.0, 9.0, 0.5, 0.2, 1e-3},         // in a corner of the modes, where no shell is whole
+  };
+  for (const auto& wave : waves) {
+    PluginHarness harness(PluginKind::observer, "energy_spectrum", "", scene_of(48, "lattice"));
+    harness.set("velocity", {[&](double x, double y) {
+                               return 3.0 + std::sin(k * y) +
+                                      wave.amplitude * std::sin(k * (wave.along * x + wave.across * y));
+                             },
+                             [](double, double) { return 0.0; }});
+    EXPECT_NEAR(harness.sample().at("energy_beyond").front(), wave.share, wave.tolerance)
+        << wave.along << ", " << wave.across;
+  }
+}
+
+// Noise from particle to particle is in all modes alike: those of the spectrum hold their share of it.
+TEST(EnergySpectrum, OfNoiseMostIsBeyond) {
+  PluginHarness harness(PluginKind::observer, "energy_spectrum", "", scene_of(48, "lattice"));
+  std::mt19937_64 random(3);
+  const auto noise = [&](double, double) { return std::generate_canonical<double, 53>(random) - 0.5; };
+  harness.set("velocity", {noise, noise});
+  double modes = 0.0;
+  for (const Row& row : rows_of(harness)) modes += row.modes;
+  EXPECT_NEAR(harness.sample().at("energy_beyond").front(), 1.0 - modes / (48.0 * 48.0), 0.02);
+}
+
+TEST(EnergySpectrum, OfAFluidThatMovesAsAWholeNoShareIsTold) {
+  PluginHarness harness(PluginKind::observer, "energy_spectrum", "", scene_of(20, "lattice"));
+  harness.set("velocity", {0.1, 0.0});
+  EXPECT_TRUE(std::isnan(harness.sample().at("energy_beyond").front()));
+}
+
 /// A solenoidal velocity with E(k) ~ k^-4 up to the n-th wave along an axis, with random phases.
 struct Field {
   std::vector<std::array<double, 4>> waves;  // k_x, k_y, amplitude of the velocity, phase

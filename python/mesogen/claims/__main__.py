@@ -4,7 +4,9 @@ import argparse
 import os
 import sys
 
+from ..output_folder import foreign
 from ..study.command import carry_out
+from ..study.errors import StudyError
 from ..study.progress import Progress
 from . import report
 from .study_file import read_study
@@ -16,6 +18,10 @@ def study_command(options):
     study = read_study(options.study, mode, options.only)
     name = os.path.basename(os.path.abspath(options.study))
     folder = options.output or os.path.join("output", "studies", name if mode == "standard" else f"{name}_{mode}")
+    # Its sweeps are folders in it, each of which says whose it is, beside that of the report.
+    if problem := foreign(folder, lambda names: report.FOLDER in names or any(
+            os.path.exists(os.path.join(folder, one, mark)) for one in names for mark in ("owner", ".lock"))):
+        raise StudyError(problem)
     results = report.gather(study, folder, options.mesogen, options.parallel, not options.write_only,
                             lambda total, done: Progress(total, done, options.quiet),
                             lambda line: None if options.quiet else print(line, file=sys.stderr, flush=True), options.retry)

@@ -4,6 +4,7 @@ import argparse
 import os
 import sys
 
+from ..output_folder import foreign
 from . import accuracy, stability
 from .accuracy_study import read_accuracy_study
 from .command import carry_out
@@ -33,6 +34,8 @@ def chart(options):
     study = only(study, options.only)
     name = os.path.splitext(os.path.basename(options.study))[0]
     folder = options.output or os.path.join("output", "charts", name)
+    if problem := foreign(folder, lambda names: "runs.csv" in names or ".lock" in names):
+        raise StudyError(problem)
     if options.list:
         module.list_runs(study, folder, options.mesogen, print)
         return

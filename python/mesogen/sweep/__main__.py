@@ -4,7 +4,9 @@ import argparse
 import os
 import sys
 
+from ..output_folder import foreign
 from ..study.command import carry_out
+from ..study.errors import StudyError
 from ..study.progress import Progress
 from . import slurm
 from .runner import list_runs, run_sweep
@@ -16,6 +18,8 @@ def sweep(options):
     """Does what was asked. Returns the exit code."""
     one = read_sweep(options.sweep, threads=options.threads)
     folder = options.output or os.path.join("output", "sweeps", one.name)
+    if problem := foreign(folder, lambda names: "owner" in names or ".lock" in names):
+        raise StudyError(problem)
 
     def tell(line):
         print(line, file=sys.stderr, flush=True)

@@ -40,16 +40,31 @@ TEST(RunFolder, IsMadeWithItsCase) {
     EXPECT_EQ(entry.path().string().find(".starting"), std::string::npos) << entry.path();
 }
 
-TEST(RunFolder, MayBeThereAlreadyWithOtherFiles) {
+TEST(RunFolder, MayBeThereAlreadyIfItIsEmpty) {
   const TemporaryFolder parent;
   fs::create_directory(parent.path() / "empty");
   EXPECT_EQ(stored_case(
                 (static_cast<void>(start_run_folder(parent.path() / "empty", "case", false)), parent.path() / "empty")),
             "case");
-  fs::create_directory(parent.path() / "used");
-  put_bytes(parent.path() / "used/notes.txt", "mine");
-  (void)start_run_folder(parent.path() / "used", "case", false);
-  EXPECT_EQ(bytes_of(parent.path() / "used/notes.txt"), "mine");
+}
+
+TEST(RunFolder, IsRefusedIfItHoldsFilesButNoRun) {
+  const TemporaryFolder parent;
+  const fs::path folder = parent.path() / "used";
+  fs::create_directories(folder / "bin");
+  const std::string why = " is not empty and holds no run: choose another --output, such as a new folder in it";
+  for (const bool overwrite : {false, true}) EXPECT_EQ(refusal_of(folder, overwrite), folder.string() + why);
+  EXPECT_EQ(refusal_of("/"), "/" + why);
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder), {}), 1);
+  (void)start_run_folder(folder / "new", "case", false);
+  EXPECT_EQ(stored_case(folder / "new"), "case");
+}
+
+TEST(RunFolder, OfARunKilledBetweenItsLockAndItsCaseIsTaken) {
+  const TemporaryFolder folder;
+  { const RunLock lock(folder.path()); }
+  (void)start_run_folder(folder.path(), "case", false);
+  EXPECT_EQ(stored_case(folder.path()), "case");
 }
 
 TEST(RunFolder, IsRefusedIfItHoldsACaseThatNoRunStored) {

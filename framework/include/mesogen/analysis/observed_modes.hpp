@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <string_view>
 #include <vector>
 
@@ -59,6 +60,25 @@ class ObservedModes {
         },
         to, corrections);
     return modes;
+  }
+
+  /// The share of a field's mean square about its mean, over the particles, that lies beyond modes which hold
+  /// `mean_square` of it. NaN where the field is the same everywhere, to rounding. On disordered particles means over
+  /// particles and over the box differ, so a share below 0.01 or so may be none, and come out below 0.
+  template <int Count>
+  static double share_beyond(const ById& particles, std::string_view field, double mean_square) {
+    constexpr double rounding = 1e-26;
+    double whole = 0.0;
+    double of_mean = 0.0;
+    for (int c = 0; c < Count; ++c) {
+      const auto values = particles.values(field, c);
+      const auto count = static_cast<double>(values.size());
+      double mean = 0.0;
+      for (const double value : values) mean += value / count;
+      for (const double value : values) whole += (value - mean) * (value - mean) / count;
+      of_mean += mean * mean;
+    }
+    return whole > rounding * of_mean ? 1.0 - mean_square / whole : std::nan("");
   }
 
   [[nodiscard]] mesh::ParticleSpectrum<Dim>& spectrum() { return spectrum_; }

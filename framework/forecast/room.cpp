@@ -1,0 +1,162 @@
+#include "forecast/room.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "initial/arrangement.hpp"
+#include "mesogen/diagnostics/error.hpp"
+
+namespace mesogen {
+
+namespace {
+
+constexpr double particles_of_a_copy = 2e5;
+constexpr double far_beyond = 3.0;     // of what is available: beyond all errors of a coarse copy
+constexpr double left_free = 0.1;      // of what is available
+constexpr double most_steps = 1e9;     // at 0.1 ms a step, which is fast, more than a day
+constexpr double bytes_of_a_row = 24;  // of a sample: its step, its time, its number of rows
+
+std::string gigabytes(double bytes) { return fmt::format("{:.3g} GB", bytes / 1e9); }
+
+double count_of(const Case& source) {
+  const auto counts = lattice_counts(source);
+  return static_cast<double>(counts.columns) * counts.rows;
+}
+
+/// The first spacing from that of so many particles upward that whole columns and rows fit; 0 if none does.
+double spacing_of(const Case& source, double particles) {
+  const auto [shortest, longest] = std::minmax(source.domain.size[0], source.domain.size[1]);
+  constexpr double fewest_across = 4.0;
+  for (double across = std::floor(std::sqrt(particles * shortest / longest)); across >= fewest_across; --across) {
+    Case other = source;
+    other.particles.spacing = shortest / across;
+    if (arrangement_problem(other).empty() && count_of(other) <= particles) return other.particles.spacing;
+  }
+  return 0.0;
+}
+
+/// Bytes of a particle, and those that a run takes whatever there is in it.
+struct PerParticle {
+  double bytes;
+  double whatever;
+};
+
+std::optional<PerParticle> per_particle(const Case& source, double program, const SetUpWith& set_up_with) {
+  std::vector<std::string> settings;
+  if (count_of(source) > particles_of_a_copy) {
+    const double spacing = spacing_of(source, particles_of_a_copy);
+    if (!(spacing > 0.0)) return std::nullopt;
+    settings.push_back(fmt::format("particles.spacing={:.12g}", spacing));
+  }
+  try {
+    const auto copy = set_up_with(settings);
+    const MemoryForecast memory = forecast_memory(*copy, program);
+    const double whatever = memory.lasting.front().bytes;
+    return PerParticle{(memory.peak() - whatever) / copy->scene.particle_count, whatever};
+  } catch (const Error&) {
+    return std::nullopt;
+  }
+}
+
+std::optional<Fitting> fitting(const Case& source, double available, const std::optional<PerParticle>& each) {
+  if (!each) return std::nullopt;
+  const double most = ((1.0 - left_free) * available - each->whatever) / each->bytes;
+  const double spacing = spacing_of(source, std::min(most, count_of(source)));
+  if (!(spacing > source.particles.spacing)) return std::nullopt;
+  Case other = source;
+  other.particles.spacing = spacing;
+  return Fitting{spacing, count_of(other)};
+}
+
+void refuse_particles(const Case& source, double needed, double available, const std::optional<Fitting>& fits,
+                      Problems& problems) {
+  const std::string text = fmt::format("{:.6g} particles need {} of memory, where {} are available", count_of(source),
+                                       gigabytes(needed), gigabytes(available));
+  problems.add(
+      source.place("particles.spacing"), "particles.spacing",
+      fits ? fmt::format("{}; {:.6g} particles fit, with a spacing of {:.12g} m", text, fits->particles, fits->spacing)
+           : text + "; take fewer particles");
+}
+
+double numbers_of(const Quantity& quantity) { return static_cast<double>(std::max<std::size_t>(quantity.columns, 1)); }
+
+/// Of which observer the samples take too much, which are kept until the run ends.
+void refuse_samples(const Setup& setup, double available, Problems& problems) {
+  const double steps = forecast_steps(setup).expected;
+  for (std::size_t n = 0; n < setup.observers.size(); ++n) {
+    const auto& observer = setup.observers[n];
+    double bytes = bytes_of_a_row;
+    for (const Quantity& quantity : observer.plan.quantities()) bytes += sizeof(double) * numbers_of(quantity);
+    const double samples = times_due(setup, n, steps);
+    if (samples * bytes <= available / 2.0) continue;
+    const double fewer = available / 4.0 / bytes;
+    const std::string key = "observers." + observer.instance + (observer.timing.every ? ".every" : ".interval");
+    problems.add(setup.source.place(key), key,
+                 fmt::format("{:.3g} samples are kept in memory until the run ends and take {}, where {} are "
+                             "available; take at least {:.3g}{}",
+                             samples, gigabytes(samples * bytes), gigabytes(available),
+                             observer.timing.every ? std::ceil(steps / fewer) : setup.source.time.end / fewer,
+                             observer.timing.every ? " steps" : " s"));
+  }
+}
+
+}  // namespace
+
+std::optional<Fitting> fitting(const Case& source, double available, double program, const SetUpWith& set_up_with) {
+  return fitting(source, available, per_particle(source, program, set_up_with));
+}
+
+void refuse_far_beyond_memory(const Case& source, double available, double program, const SetUpWith& set_up_with,
+                              Problems& problems) {
+  if (!(available > 0.0) || count_of(source) <= particles_of_a_copy) return;
+  const auto each = per_particle(source, program, set_up_with);
+  if (!each) return;
+  const double needed = each->whatever + each->bytes * count_of(source);
+  if (needed > far_beyond * available)
+    refuse_particles(source, needed, available, fitting(source, available, each), problems);
+}
+
+void refuse_beyond_memory(const Setup& setup, const MemoryForecast& memory, double available, double program,
+                          const SetUpWith& set_up_with, Problems& problems) {
+  // Of a device's memory, which holds what a run on it computes with, the host knows nothing.
+  if (!(available > 0.0) || !setup.backend->on_host()) return;
+  if (memory.peak() > available)
+    refuse_particles(setup.source, memory.peak(), available, fitting(setup.source, available, program, set_up_with),
+                     problems);
+  refuse_samples(setup, available, problems);
+}
+
+double most_on_disk(const Setup& setup) {
+  const double frames = 1.0 + times_due(setup, setup.observers.size(), 0.0);
+  return 2.0 * frames * frame_bytes(setup) + 2.0 * checkpoint_bytes(setup);
+}
+
+std::string beyond_disk(const Setup& setup, double free) {
+  const double needed = most_on_disk(setup);
+  if (!(free > 0.0) || needed <= free) return {};
+  const double one = frame_bytes(setup);
+  const double frames = 1.0 + times_due(setup, setup.observers.size(), 0.0);
+  const double fewer = std::floor(((1.0 - left_free) * free - 2.0 * checkpoint_bytes(setup)) / (2.0 * one));
+  std::string text = fmt::format(
+      "{:.6g} frames of {:.3g} MB and two checkpoints take {} of disk, frames twice while they are packed at the end, "
+      "where {} are free",
+      frames, one / 1e6, gigabytes(needed), gigabytes(free));
+  if (fewer >= 2.0)
+    return text + fmt::format("; an interval of {:.3g} s or more fits", 1.01 * setup.source.time.end / (fewer - 1.0));
+  return text + "; make room, or take fewer particles or fields";
+}
+
+bool time_stands_still(const StepForecast& steps) { return steps.expected > std::pow(2.0, 53.0); }
+
+std::string beyond_steps(const Setup& setup, const StepForecast& steps) {
+  if (!(steps.expected > most_steps)) return {};
+  const std::string count = std::isfinite(steps.expected) ? fmt::format("{:.3g}", steps.expected) : "more than 1e308";
+  std::string text = fmt::format("to {:.3g} s in steps of {:.3g} s (limit: {}) a run takes {} steps",
+                                 setup.source.time.end, steps.at_speed, steps.limit_at_speed, count);
+  if (time_stands_still(steps)) text += ", and time would stand still before its end";
+  return text;
+}
+
+}  // namespace mesogen
