@@ -4,7 +4,7 @@ namespace mesogen {
 
 Physics::~Physics() = default;
 
-void Physics::scales(Scales&) const {}
+void Physics::scales(const Scene&, Scales&) const {}
 
 void Physics::constants(Constants&) const {}
 

@@ -9,6 +9,7 @@
 #include "case/nearest.hpp"
 #include "case/resolved.hpp"
 #include "initial/defects.hpp"
+#include "initial/distortion.hpp"
 #include "initial/fields.hpp"
 #include "plugin/plugin_call.hpp"
 #include "simulation/choose_backend.hpp"
@@ -54,6 +55,7 @@ class SetupBuilder {
   template <class Action>
   void attempt(const PluginChoice& choice, Action&& action);
   void describe_scene();
+  void find_distortion();
   void collect_fields();
   void choose_output();
   void plan_observers();
@@ -186,8 +188,15 @@ void SetupBuilder::describe_scene() {
   for (std::size_t n = 0; n < setup_.physics.size(); ++n)
     attempt(source_.physics[n], [&] {
       const auto& member = setup_.physics[n];
-      call_plugin(member.type, "scales()", [&] { member.plugin->scales(scene.scales); });
       call_plugin(member.type, "constants()", [&] { member.plugin->constants(scene.constants); });
+    });
+  if (additions_.scene) additions_.scene(scene);
+  attempt(source_.boundary, [&] { setup_.boundary->prepare(scene); });
+  find_distortion();
+  for (std::size_t n = 0; n < setup_.physics.size(); ++n)
+    attempt(source_.physics[n], [&] {
+      const auto& member = setup_.physics[n];
+      call_plugin(member.type, "scales()", [&] { member.plugin->scales(scene, scene.scales); });
     });
   attempt(source_.boundary, [&] { setup_.boundary->scales(scene.scales); });
   if (source_.velocity.given) {
@@ -195,8 +204,6 @@ void SetupBuilder::describe_scene() {
     for (std::size_t i = 0; i < velocity[0].size(); ++i)
       scene.scales.speed = std::max(scene.scales.speed, std::hypot(velocity[0][i], velocity[1][i]));
   }
-  if (additions_.scene) additions_.scene(scene);
-  attempt(source_.boundary, [&] { setup_.boundary->prepare(scene); });
   const auto for_each_physics = [&](const auto& action) {
     for (std::size_t n = 0; n < setup_.physics.size(); ++n)
       attempt(source_.physics[n], [&] { action(setup_.physics[n]); });
@@ -217,6 +224,16 @@ void SetupBuilder::describe_scene() {
                                                     rounded_text(limit.seconds) + " " + source_.units.time +
                                                     ": it must be above 0");
     });
+  });
+}
+
+// Of a boundary that refused its parameters nothing more is asked.
+void SetupBuilder::find_distortion() {
+  if (!source_.director.given || !problems_.empty()) return;
+  attempt(source_.boundary, [&] {
+    setup_.scene.distortion =
+        distortion_of(initial_order_tensor(source_, setup_.arrangement), setup_.arrangement.position, setup_.scene,
+                      *setup_.boundary, setup_.smoothing);
   });
 }
 

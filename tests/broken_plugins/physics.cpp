@@ -43,7 +43,7 @@ class Misbehaving final : public Physics {
     list.number(SECOND_PARAMETER, after_).unit("s").at_least(0.0).doc("only from this time on");
   }
 
-  void scales(Scales&) const override { fail_if("scales throw"); }
+  void scales(const Scene&, Scales&) const override { fail_if("scales throw"); }
 
   void passes(PassList& list) override {
     fail_if("");

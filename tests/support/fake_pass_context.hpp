@@ -71,6 +71,7 @@ class PhysicsUnderTest {
   }
 
   Physics* operator->() { return plugin_.get(); }
+  [[nodiscard]] const Physics& plugin() const { return *plugin_; }
   void run(const std::string& pass, const PassContext& context) const {
     for (const Pass& candidate : passes_.passes())
       if (candidate.name == pass) return candidate.body(context);

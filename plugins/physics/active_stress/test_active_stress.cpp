@@ -25,10 +25,10 @@ TEST(ActiveStress, SaysHowLargeItsStressIs) {
   PluginHarness active(PluginKind::physics, "active_stress", "activity = -0.3");
   Scales scales;
   scales.stress = 0.1;
-  active.physics().scales(scales);
+  active.physics().scales({}, scales);
   EXPECT_EQ(scales.stress, 0.3);
   scales.stress = 1.0;
-  active.physics().scales(scales);
+  active.physics().scales({}, scales);
   EXPECT_EQ(scales.stress, 1.0) << "another's is larger";
   Constants constants;
   active.physics().constants(constants);

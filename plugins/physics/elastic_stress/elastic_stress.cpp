@@ -1,12 +1,18 @@
-// Stress of the nematic's elasticity on the flow (Beris and Edwards 1994), which the active-turbulence literature
+// The force of the nematic's elasticity on the flow (Beris and Edwards 1994), which the active-turbulence literature
 // often drops:
 //
-//   Pi = 2 lambda (Q + I/2)(Q:H) - lambda H (Q + I/2) - lambda (Q + I/2) H - K d_i Q : d_j Q + Q H - H Q,
-//   force density f_i = d_j Pi_ij.
+//   f = div Pi - (grad Q) : H,   f_i = d_j Pi_ij - d_i Q_ab H_ab,
+//   Pi = 2 lambda (Q + I/2)(Q:H) - lambda H (Q + I/2) - lambda (Q + I/2) H + Q H - H Q.
 //
-// With E, w and H as in beris_edwards the terms with lambda and Q H - H Q do the work on the flow that they take from
-// the free energy. The coefficients are those that the nematic plugin publishes.
+// Energy: with E, w and H as in beris_edwards the flow gets by Pi what turning and stretching Q takes from the free
+// energy, and by (grad Q) : H, at each particle, what carrying Q along takes from it: u . (grad Q) : H. Written as the
+// divergence of a stress the second term is div(-K d_i Q : d_j Q), which differs by the gradient of the free energy's
+// density. That form balances the work only as far as divergence and Laplacian agree, which they do not where Q varies
+// from particle to particle, and it loads the fluid with a pressure even at rest, where H = 0 and there is no force.
+//
+// The coefficients are those that the nematic plugin publishes.
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -20,9 +26,9 @@ using namespace mesogen;
 
 template <class Real, int Dim>
 struct Stress {
-  FieldView<const Real> q, field, gradient;  // Q, H, and (Q11_x, Q11_y, Q12_x, Q12_y)
+  FieldView<const Real> q, field;  // Q, H
   FieldView<Real> stress;
-  Real lambda, k;
+  Real lambda;
 
   MESOGEN_HOST_DEVICE void operator()(Index i) const {
     const Real q11 = q(0, i);
@@ -36,26 +42,25 @@ struct Stress {
     const Real aligned22 = lambda * (Real(2) * product * (half - q11) - product + h11);
     const Real aligned12 = lambda * (Real(2) * product * q12 - h12);
     const Real antisymmetric = Real(2) * (q11 * h12 - q12 * h11);
-    const Real xx = Real(2) * (gradient(0, i) * gradient(0, i) + gradient(2, i) * gradient(2, i));
-    const Real xy = Real(2) * (gradient(0, i) * gradient(1, i) + gradient(2, i) * gradient(3, i));
-    const Real yy = Real(2) * (gradient(1, i) * gradient(1, i) + gradient(3, i) * gradient(3, i));
-    stress(0, i) = aligned11 - k * xx;
-    stress(1, i) = aligned12 - k * xy + antisymmetric;
-    stress(2, i) = aligned12 - k * xy - antisymmetric;
-    stress(3, i) = aligned22 - k * yy;
+    stress(0, i) = aligned11;
+    stress(1, i) = aligned12 + antisymmetric;
+    stress(2, i) = aligned12 - antisymmetric;
+    stress(3, i) = aligned22;
   }
 };
 
 template <class Real, int Dim>
 struct Force {
-  FieldView<const Real> gradient;  // d Pi_ab / d x_c at (a Dim + b) Dim + c
+  FieldView<const Real> stress_gradient;  // d Pi_ab / d x_c at (a Dim + b) Dim + c
+  FieldView<const Real> field, gradient;  // H, and (Q11_x, Q11_y, Q12_x, Q12_y)
   FieldView<const Real> density;
   FieldView<Real> acceleration;
 
   MESOGEN_HOST_DEVICE void operator()(Index i) const {
     for (int a = 0; a < Dim; ++a) {
-      Real force = Real(0);
-      for (int b = 0; b < Dim; ++b) force += gradient((a * Dim + b) * Dim + b, i);
+      // Q_xx H_xx = Q_yy H_yy: each component counts twice.
+      Real force = Real(-2) * (gradient(a, i) * field(0, i) + gradient(Dim + a, i) * field(1, i));
+      for (int b = 0; b < Dim; ++b) force += stress_gradient((a * Dim + b) * Dim + b, i);
       acceleration(a, i) += force / density(i);
     }
   }
@@ -70,6 +75,24 @@ class ElasticStress final : public Physics {
 
   /// For what is known of the nematic's stability: whether its elasticity acts on the flow.
   void constants(Constants& constants) const override { constants["elastic_stress"] = 1.0; }
+
+  // |Pi| and what (grad Q) : H adds up to over the length in which Q changes are at most (2 + |lambda|) |H|, about,
+  // where |H| is that of the start (K lap Q and the bulk), or of defects that vanish: the most that the bulk has below
+  // its equilibrium order.
+  void scales(const Scene& scene, Scales& scales) const override {
+    const auto number = [&](const char* name) {
+      const auto at = scene.constants.find(name);
+      return at == scene.constants.end() ? 0.0 : at->second;
+    };
+    const double a = number("bulk_A");
+    const double c = number("bulk_C");
+    const auto bulk = [&](double order) { return std::abs(a + 2.0 * c * order * order) * order; };
+    const double equilibrium = a < 0.0 && c > 0.0 ? std::sqrt(-a / (2.0 * c)) : 0.0;
+    const double field =
+        std::max(number("elastic_constant") * scene.distortion.laplacian + bulk(scene.distortion.highest_order),
+                 bulk(equilibrium / std::sqrt(3.0)));
+    scales.passing_stress = std::max(scales.passing_stress, (2.0 + std::abs(number("flow_alignment"))) * field);
+  }
 
   void prepare(const Scene& scene) override {
     const auto constant = [&](const char* name) {
@@ -93,23 +116,24 @@ class ElasticStress final : public Physics {
   }
 
   void passes(PassList& list) override {
-    list.field("elastic_stress", Rank::matrix).unit("Pa").doc("Pi, row by row");
+    list.field("elastic_stress", Rank::matrix).unit("Pa").doc("Pi, of turning and stretching Q, row by row");
     list.pass("elastic stress")
-        .reads({"order_tensor", "molecular_field", "order_tensor_gradient"})
+        .reads({"order_tensor", "molecular_field"})
         .writes({"elastic_stress"})
         .run([this](const PassContext& context) {
           exec::for_each(context.space(), context.count(),
                          Stress<Real, Dim>{context.read<Real>("order_tensor"), context.read<Real>("molecular_field"),
-                                           context.read<Real>("order_tensor_gradient"),
-                                           context.write<Real>("elastic_stress"), Real(lambda_), Real(k_)});
+                                           context.write<Real>("elastic_stress"), Real(lambda_)});
         });
     list.pass("elastic force")
-        .reads({"elastic_stress_gradient", "density"})
+        .reads({"elastic_stress_gradient", "molecular_field", "order_tensor_gradient", "density"})
         .accumulates({"acceleration"})
         .run([](const PassContext& context) {
-          exec::for_each(context.space(), context.count(),
-                         Force<Real, Dim>{context.read<Real>("elastic_stress_gradient"), context.read<Real>("density"),
-                                          context.write<Real>("acceleration")});
+          exec::for_each(
+              context.space(), context.count(),
+              Force<Real, Dim>{context.read<Real>("elastic_stress_gradient"), context.read<Real>("molecular_field"),
+                               context.read<Real>("order_tensor_gradient"), context.read<Real>("density"),
+                               context.write<Real>("acceleration")});
         });
   }
 

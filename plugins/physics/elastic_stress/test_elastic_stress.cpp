@@ -31,17 +31,14 @@ Scene scene_with_a_nematic() {
   return scene;
 }
 
-// Pi = 2 lambda (Q + I/2)(Q:H) - lambda H (Q + I/2) - lambda (Q + I/2) H - K d_i Q : d_j Q + Q H - H Q, written out
+// Pi = 2 lambda (Q + I/2)(Q:H) - lambda H (Q + I/2) - lambda (Q + I/2) H + Q H - H Q, written out
 TEST(ElasticStress, IsTheFormulaInMatrices) {
   const PhysicsUnderTest elasticity("elastic_stress", {}, scene_with_a_nematic());
   FakePassContext context(1);
   const Matrix q = traceless(0.3, -0.5);
   const Matrix h = traceless(0.2, 0.9);
-  const Matrix q_x = traceless(1.1, -0.4);
-  const Matrix q_y = traceless(0.6, 0.8);
   context.set("order_tensor", {q[0][0], q[0][1]});
   context.set("molecular_field", {h[0][0], h[0][1]});
-  context.set("order_tensor_gradient", {q_x[0][0], q_y[0][0], q_x[0][1], q_y[0][1]});
   context.set("elastic_stress", {0.0, 0.0, 0.0, 0.0});
   elasticity.run("elastic stress", context);
 
@@ -57,27 +54,45 @@ TEST(ElasticStress, IsTheFormulaInMatrices) {
   const Matrix raised_h = product(raised, h);
   const Matrix q_h = product(q, h);
   const Matrix h_q = product(h, q);
-  const std::array<Matrix, 2> slope = {q_x, q_y};
   for (std::size_t i = 0; i < 2; ++i) {
     for (std::size_t j = 0; j < 2; ++j) {
       const double expected = 2.0 * lambda * raised[i][j] * contraction(q, h) - lambda * h_raised[i][j] -
-                              lambda * raised_h[i][j] - elastic_constant * contraction(slope[i], slope[j]) + q_h[i][j] -
-                              h_q[i][j];
+                              lambda * raised_h[i][j] + q_h[i][j] - h_q[i][j];
       EXPECT_NEAR(context.at("elastic_stress", static_cast<int>(2 * i + j)), expected, 1e-15) << i << j;
     }
   }
 }
 
-TEST(ElasticStress, ForceIsItsDivergence) {
+// f = div Pi - (grad Q) : H: d_x Q : H = 2 (1.1 * 0.2 - 0.4 * 0.9) = -0.28, d_y Q : H = 2 (0.6 * 0.2 + 0.8 * 0.9)
+// = 1.68
+TEST(ElasticStress, ForceIsItsDivergenceAndWhatCarryingTheOrderAlongTakes) {
   const PhysicsUnderTest elasticity("elastic_stress", {}, scene_with_a_nematic());
   FakePassContext context(1);
   // d Pi_ab / d x_c at (a 2 + b) 2 + c: f_x = Pi_xx,x + Pi_xy,y
   context.set("elastic_stress_gradient", {1.0, 1e9, 1e9, 10.0, 100.0, 1e9, 1e9, 1000.0});
+  context.set("molecular_field", {0.2, 0.9});
+  context.set("order_tensor_gradient", {1.1, 0.6, -0.4, 0.8});  // Q11_x, Q11_y, Q12_x, Q12_y
   context.set("density", {2.0});
   context.set("acceleration", {0.5, 0.25});
   elasticity.run("elastic force", context);
-  EXPECT_DOUBLE_EQ(context.at("acceleration", 0), 0.5 + 11.0 / 2.0);
-  EXPECT_DOUBLE_EQ(context.at("acceleration", 1), 0.25 + 1100.0 / 2.0);
+  EXPECT_DOUBLE_EQ(context.at("acceleration", 0), 0.5 + (11.0 + 0.28) / 2.0);
+  EXPECT_DOUBLE_EQ(context.at("acceleration", 1), 0.25 + (1100.0 - 1.68) / 2.0);
+}
+
+// (2 + |lambda|) |H|, |H| the larger of that at the start and of the bulk's most below its equilibrium, 2 / sqrt(27)
+TEST(ElasticStress, TellsTheStressOfADistortedStart) {
+  const PhysicsUnderTest elasticity("elastic_stress", {}, scene_with_a_nematic());
+  Scene scene = scene_with_a_nematic();
+  scene.constants["bulk_A"] = -1.0;
+  scene.constants["bulk_C"] = 0.5;
+  scene.distortion.highest_order = 1.0;
+  Scales scales;
+  elasticity.plugin().scales(scene, scales);
+  EXPECT_NEAR(scales.passing_stress, 2.7 * 2.0 / std::sqrt(27.0), 1e-15);
+  EXPECT_EQ(scales.stress, 0.0);
+  scene.distortion.laplacian = 300.0;
+  elasticity.plugin().scales(scene, scales);
+  EXPECT_NEAR(scales.passing_stress, 2.7 * 0.02 * 300.0, 1e-14);
 }
 
 TEST(ElasticStress, NeedsANematic) {

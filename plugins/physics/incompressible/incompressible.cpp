@@ -67,7 +67,7 @@ class Incompressible final : public Physics {
             "tenth of this times the local gradient. 0: not at all");
   }
 
-  void scales(Scales& scales) const override {
+  void scales(const Scene&, Scales& scales) const override {
     scales.laplacians_for_any_step.insert("order_tensor");
     scales.friction_for_any_step = true;
     if (expected_speed_) scales.speed = std::max(scales.speed, *expected_speed_);

@@ -34,6 +34,8 @@ TEST(Wcsph, SoundSpeedIsTheLargestThatAnythingNeeds) {
   scene.scales.stress = 0.08;  // sqrt(stress / (rho delta)), delta = 0.01
   EXPECT_DOUBLE_EQ(sound_speed(scene), 2.0);
   EXPECT_DOUBLE_EQ(sound_speed(scene, {{"density_variation", 0.0025}}), 4.0);
+  scene.scales.passing_stress = 5.0 * 0.18;  // may compress five times as much
+  EXPECT_DOUBLE_EQ(sound_speed(scene), 3.0);
   scene.scales.speed = 0.5;  // ten times as fast
   EXPECT_DOUBLE_EQ(sound_speed(scene), 5.0);
   EXPECT_DOUBLE_EQ(sound_speed(scene, {{"sound_speed", 1.5}}), 1.5);
@@ -104,7 +106,7 @@ TEST(Wcsph, PublishesWhatItIs) {
   EXPECT_EQ(constants.at("density"), 2.0);
   EXPECT_EQ(constants.at("viscosity"), 0.1);
   Scales scales;
-  flow->scales(scales);
+  flow->scales({}, scales);
   EXPECT_EQ(scales.speed, 0.7);
 }
 

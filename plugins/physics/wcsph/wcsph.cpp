@@ -14,6 +14,7 @@
 #include "mesogen/plugin/physics.hpp"
 #include "mesogen/plugin/plugin.hpp"
 #include "passes.hpp"
+#include "sound_speed.hpp"
 #include "without_sound.hpp"
 
 namespace {
@@ -94,7 +95,7 @@ class Wcsph final : public Physics {
             "nothing needs a shift");
   }
 
-  void scales(Scales& scales) const override {
+  void scales(const Scene&, Scales& scales) const override {
     if (expected_speed_) scales.speed = std::max(scales.speed, *expected_speed_);
   }
   void constants(Constants& constants) const override {
@@ -107,20 +108,17 @@ class Wcsph final : public Physics {
     constants["automatic_sound_speed"] = automatic_sound_speed_;
   }
 
-  // c0^2 >= max(100 u^2, stress / (rho delta), mu u / (rho L delta)) (Morris et al. 1997); above that it may rise at no
-  // cost until the acoustic limit on the step meets the viscous one.
+  // Above what is needed the sound may be as fast, at no cost, as the acoustic limit on the step meets the viscous one.
   void prepare(const Scene& scene) override {
     choose_density(scene);
     if (feedback_ && filter_ == 0.0)
       throw Error(ExitCode::bad_case,
                   "filter_feedback needs a filter: set density_filter above 0, such as density_filter = 1.0, or leave "
                   "filter_feedback out");
-    const double speed = scene.scales.speed;
     const double length = *std::min_element(scene.box.begin(), scene.box.begin() + Dim);
-    const double square = std::max({100.0 * speed * speed, scene.scales.stress / (density_ * density_variation_),
-                                    viscosity_ * speed / (density_ * length * density_variation_)});
+    const double needed = wcsph::needed_sound_speed({density_, viscosity_, density_variation_}, scene.scales, length);
     const double free = 0.25 * scene.smoothing_length / viscous_step(scene);
-    automatic_sound_speed_ = std::max(std::sqrt(square), free);
+    automatic_sound_speed_ = std::max(needed, free);
     c0_ = sound_speed_.value_or(automatic_sound_speed_);
     diffusivity_ = diffusion_ * scene.smoothing_length * c0_;
     mass_ = density_ * std::pow(scene.spacing, Dim);

@@ -28,8 +28,9 @@ class MESOGEN_EXPORT Physics {
 
   /// Names the keys of its section of the case. Also called without a case, for `plugin info`.
   virtual void parameters(ParameterList& list) = 0;
-  /// Says what magnitudes it brings to the scene. Parameters are set.
-  virtual void scales(Scales& scales) const;
+  /// Says what magnitudes it brings to the scene. Parameters are set; the scene has the constants of all plugins, and
+  /// the distortion at the start.
+  virtual void scales(const Scene& scene, Scales& scales) const;
   /// Numbers that others may want, by name: constants["elastic_constant"] = 0.02. Called again after every plugin's
   /// prepare(), for step_limits(), passes and observers: there may be more to say then, or something else.
   virtual void constants(Constants& constants) const;

@@ -18,12 +18,21 @@ namespace mesogen {
 /// Magnitudes that plugins tell each other through the framework, so that one can choose its numerics by another's
 /// physics without knowing it. Each is the largest that any plugin gave; 0: nobody did.
 struct Scales {
-  double stress = 0.0;  ///< largest stress beside pressure and viscosity, Pa
-  double speed = 0.0;   ///< expected or initial speed, m/s
+  double stress = 0.0;  ///< largest lasting stress beside pressure and viscosity, Pa
+  /// Largest stress that comes and goes, such as that of a distorted start: a flow has to survive it, Pa.
+  double passing_stress = 0.0;
+  double speed = 0.0;  ///< expected or initial speed, m/s
   /// Fields whose Laplacian, as a plugin makes it, takes any step: their diffusion limits none. Of the order tensor, if
   /// the nematic tells its diffusivity by the constants rotational_diffusivity and elastic_constant.
   std::set<std::string, std::less<>> laplacians_for_any_step;
   bool friction_for_any_step = false;  ///< the flow takes the constant `friction` into account in steps of any length
+};
+
+/// How the order tensor is distorted when the run starts, also by what walls hold it at.
+struct Distortion {
+  double laplacian = 0.0;     ///< largest |lap Q| = sqrt((lap Q11)^2 + (lap Q12)^2) of a particle, 1/m2
+  double lowest_order = 0.0;  ///< smallest and largest order q of a particle
+  double highest_order = 0.0;
 };
 
 /// Numbers that physics plugins publish for observers and for each other: "elastic_constant", "density", ...
@@ -46,8 +55,9 @@ struct Scene {
     return scales.laplacians_for_any_step.contains(field) ? std::numeric_limits<double>::infinity() : diffusion_step;
   }
   Index particle_count = 0;
-  Scales scales;        ///< what the physics plugins said of their magnitudes
-  Constants constants;  ///< what they published by name
+  Distortion distortion;  ///< zero where the case has no director
+  Scales scales;          ///< what the physics plugins said of their magnitudes
+  Constants constants;    ///< what they published by name
 };
 
 /// Limits on the step; the smallest binds, and its name is reported.
