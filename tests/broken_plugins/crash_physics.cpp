@@ -20,7 +20,7 @@ class Crashing final : public Physics {
     crash::in("parameters()");
     list.number("after", after_).unit("s").at_least(0.0).doc("crashes only from this time on");
   }
-  void scales(Scales&) const override { crash::in("scales()"); }
+  void scales(const Scene&, Scales&) const override { crash::in("scales()"); }
   void constants(Constants&) const override { crash::in("constants()"); }
   void prepare(const Scene&) override { crash::in("prepare()"); }
   void step_limits(const Scene&, StepLimits&) const override { crash::in("step_limits()"); }
