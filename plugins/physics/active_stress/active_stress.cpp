@@ -72,7 +72,9 @@ class ActiveStress final : public Physics {
         .doc("divergence exact for linear Q, or with opposite forces on two particles: no momentum drift");
   }
 
-  void scales(const Scene&, Scales& scales) const override { scales.stress = std::max(scales.stress, std::abs(activity_)); }
+  void scales(const Scene&, Scales& scales) const override {
+    scales.stress = std::max(scales.stress, std::abs(activity_));
+  }
   void constants(Constants& constants) const override { constants["activity"] = activity_; }
 
   void prepare(const Scene& scene) override {
