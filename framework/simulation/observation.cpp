@@ -79,9 +79,9 @@ void Observation::start() {
   }
 }
 
-double Observation::next(double time) const {
+double Observation::next(double time, double end) const {
   double next = std::numeric_limits<double>::infinity();
-  for (const Timing& timing : timings_) next = std::min(next, timing.next(time));
+  for (const Timing& timing : timings_) next = std::min(next, timing.next(time, end));
   return next;
 }
 

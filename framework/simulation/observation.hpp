@@ -21,8 +21,9 @@ class MESOGEN_EXPORT Observation {
   void declare(ResultsWriter& results) const;
   /// Before the first sample of a new run.
   void start();
-  /// The first time after `time`, s, for which a sample or a frame is asked; infinite if there is none.
-  [[nodiscard]] double next(double time) const;
+  /// The first time after `time`, s, for which a sample or a frame is asked, in a run to `end`; infinite if there is
+  /// none. See Timing::next.
+  [[nodiscard]] double next(double time, double end) const;
   /// Which readers (the observers, then the output) read at the end of the step from `from` to `to`; all if it is the
   /// last one.
   [[nodiscard]] std::vector<bool> due(double from, double to, std::int64_t steps, bool last) const;

@@ -106,14 +106,14 @@ class Run {
   }
 
   [[nodiscard]] double end() const { return setup_.source.time.end; }
-  /// The next time on which a step is to end wherever the run ends, s.
-  [[nodiscard]] double next_asked() {
+  /// The next time for which something is asked in a run to `end`, s.
+  [[nodiscard]] double next_asked(double end) {
     const double time = stepper_.world().time;
-    return std::min(observation_.next(time), kept_.next(time));
+    return std::min(observation_.next(time, end), kept_.next(time));
   }
   /// The next time on which a step is to end, s.
   [[nodiscard]] double next_mark() {
-    const double next = next_asked();
+    const double next = next_asked(end());
     return next > end() * (1.0 - 1e-12) ? end() : next;
   }
   [[nodiscard]] std::vector<bool> everybody() const { return std::vector<bool>(setup_.observers.size() + 1, true); }
@@ -176,7 +176,7 @@ class Run {
   /// Before the first step that is another one only because the run ends where it does.
   void keep_before_end(const Stepper::Step& step, ResultsWriter& results) {
     if (shortened_for_ == end()) return;
-    const Stepper::Step longer = stepper_.next_step(next_asked());
+    const Stepper::Step longer = stepper_.next_step(next_asked(std::numeric_limits<double>::infinity()));
     if (step.seconds == longer.seconds && step.arrival == longer.arrival) return;
     const Span span(checkpoints_, trace_.trace());
     results.flush();

@@ -22,9 +22,10 @@ double rounded_time(double time) {
   return rounded;
 }
 
-double Timing::next(double time) const {
+double Timing::next(double time, double end) const {
   if (!interval) return std::numeric_limits<double>::infinity();
-  return rounded_time((marks_until(time, *interval) + 1.0) * *interval);
+  const double mark = rounded_time((marks_until(time, *interval) + 1.0) * *interval);
+  return mark < end && end - mark <= 1e-6 * *interval ? end : mark;
 }
 
 bool Timing::due(double from, double to, std::int64_t steps) const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <optional>
 
 #include "mesogen/export.hpp"
@@ -16,8 +17,10 @@ struct MESOGEN_EXPORT Timing {
   std::optional<double> interval;     ///< s; at 0, interval, 2 interval, ...
   std::optional<std::int64_t> every;  ///< steps
 
-  /// The first time after `time`, s, on which a step must end; infinite if there is none.
-  [[nodiscard]] double next(double time) const;
+  /// The first time after `time`, s, on which a step must end; infinite if there is none. In a run that ends at `end`,
+  /// a time that is the end but for the digits of the interval (3.333333 for a third of 10) is the end: no tiny step
+  /// follows it.
+  [[nodiscard]] double next(double time, double end = std::numeric_limits<double>::infinity()) const;
   /// Does it happen at the end of the step from `from` to `to` (s), the one that makes `steps` of them?
   [[nodiscard]] bool due(double from, double to, std::int64_t steps) const;
 };

@@ -61,7 +61,8 @@ class Branches(CommandTest):
                 self.assertEqual(list(file[group]["time"]), [0.0625, 0.09375])
             self.assertTrue(numpy.array_equal(file["particles/fluid/position/value"][0],
                                               old["particles/fluid/position/value"][2]))
-            origin = dict(file["parameters/branched_from"].attrs)
+            origin = {name: value.decode() if isinstance(value, bytes) else value
+                      for name, value in file["parameters/branched_from"].attrs.items()}
             self.assertEqual(file["parameters/cost"].attrs["steps"], 8)
             self.assertIn("activity = -0.05", file["parameters/case"][()].decode())
         self.assertEqual(origin, {"folder": self.path("out"), "checkpoint": "checkpoints/step0000000016_t0.0625.h5",

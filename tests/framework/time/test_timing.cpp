@@ -44,6 +44,15 @@ TEST(Timing, TakesATimeThatIsAMarkButForRoundingForIt) {
   EXPECT_FALSE(timing.due(short_of, 0.3, 1));
 }
 
+// A third of 10 s, as it is written down: no step of a microsecond at the end.
+TEST(Timing, AMarkThatIsTheEndButForTheDigitsOfTheIntervalIsTheEnd) {
+  const Timing timing{3.333333, {}};
+  EXPECT_EQ(timing.next(6.666666, 10.0), 10.0);
+  EXPECT_EQ(timing.next(6.666666), 9.999999);
+  EXPECT_EQ(timing.next(3.333333, 10.0), 6.666666);
+  EXPECT_TRUE(timing.due(9.9, 10.0, 1));
+}
+
 TEST(Timing, OfStepsAsksForNoTime) {
   const Timing timing{{}, 3};
   EXPECT_EQ(timing.next(0.5), std::numeric_limits<double>::infinity());
