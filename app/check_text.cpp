@@ -138,8 +138,10 @@ std::string advice_text(const Setup& setup, const CheckFacts& facts) {
   if (facts.advice.empty()) return {};
   std::string text = "advice\n";
   for (const AdviceFacts& one : facts.advice) {
-    text += fmt::format("  {}\n      --set {}\n      {}\n", one.advice.finding,
-                        fmt::join(one.advice.settings, " --set "), one.advice.gain);
+    text += fmt::format("  {}\n", one.advice.finding);
+    if (!one.advice.settings.empty())
+      text += fmt::format("      --set {}\n", fmt::join(one.advice.settings, " --set "));
+    text += fmt::format("      {}\n", one.advice.gain);
     if (const std::string change = change_text(setup, facts, one); !change.empty())
       text += fmt::format("      {}\n", change);
   }

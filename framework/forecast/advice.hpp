@@ -13,8 +13,8 @@ namespace mesogen {
 struct Advice {
   std::string name;                   ///< "core_under_resolved"
   std::string finding;                ///< how it is
-  std::vector<std::string> settings;  ///< what to do, as for --set: "particles.spacing=0.07"
-  std::string gain;                   ///< what that does
+  std::vector<std::string> settings;  ///< what to do, as for --set: "particles.spacing=0.07"; none if no key helps
+  std::string gain;                   ///< what that does; without settings: what else helps
 };
 
 /// What advice is given from.

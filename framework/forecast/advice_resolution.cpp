@@ -1,6 +1,7 @@
 #include <cmath>
 
 #include "forecast/advice_rules.hpp"
+#include "initial/arrangement.hpp"
 
 namespace mesogen::rules {
 
@@ -10,11 +11,11 @@ namespace {
 // against the exact profile with the quintic kernel and the consistent Laplacian, 1.2 to 4 spacings in a core).
 constexpr double error_of_core = 0.066;
 
-constexpr double few_spacings = 1.5;   // in a core: 3 % wrong
-constexpr double good_spacings = 2.0;  // 1.7 %
+constexpr double good_spacings = 2.0;  // in a core: 1.7 % wrong
 constexpr double many_spacings = 4.0;  // 0.4 %
+constexpr double rounding = 1e-9;      // of a spacing that is computed to give so many
 
-// More are no help to anyone.
+// Where it takes more than these, a smaller spacing is no help.
 constexpr double most_particles = 2e7;
 
 /// xi = sqrt(K / |A|) in spacings; 0 where there is no nematic, or one without order and so without defects.
@@ -25,21 +26,40 @@ double core_in_spacings(const Setup& setup) {
 
 double percent_wrong(double spacings) { return 100.0 * error_of_core / (spacings * spacings); }
 
-/// The spacing nearest to that with so many in a core with which whole columns fit the box.
+/// The largest spacing with at least so many in a core that fits the box.
 std::string spacing_setting(const Setup& setup, double spacings) {
+  const double length = setup.scene.box[0];
   const double wanted = setup.scene.spacing * core_in_spacings(setup) / spacings;
-  return fmt::format("particles.spacing={:.12g}", setup.scene.box[0] / std::ceil(setup.scene.box[0] / wanted));
+  const double first = std::ceil(length / wanted * (1.0 - rounding));
+  Case source = setup.source;
+  const auto fits = [&](double columns) {
+    source.particles.spacing = length / columns;
+    return arrangement_problem(source).empty();
+  };
+  double columns = first;
+  while (columns < 2.0 * first && !fits(columns)) ++columns;
+  return fmt::format("particles.spacing={:.12g}", length / columns);
 }
 
 }  // namespace
 
 std::optional<Advice> core_under_resolved(const AdviceInput& input) {
   const double spacings = core_in_spacings(input.setup);
-  if (!(spacings > 0.0) || spacings >= few_spacings) return std::nullopt;
-  if (input.setup.scene.particle_count * std::pow(good_spacings / spacings, 2) > most_particles) return std::nullopt;
+  if (!(spacings > 0.0) || spacings >= good_spacings * (1.0 - rounding)) return std::nullopt;
+  const std::string finding =
+      fmt::format("a defect's core, xi, is {:.2g} spacings: the order in it is wrong by {}", spacings,
+                  spacings < 1.0 ? "more than 6 %" : fmt::format("some {:.2g} %", percent_wrong(spacings)));
+  const double particles = input.setup.scene.particle_count * std::pow(good_spacings / spacings, 2);
+  if (particles > most_particles)
+    return Advice{
+        "core_under_resolved",
+        finding,
+        {},
+        fmt::format("cores of {:.2g} spacings take {:.2g} particles: a smaller box or larger elastic constant "
+                    "helps",
+                    good_spacings, particles)};
   return Advice{"core_under_resolved",
-                fmt::format("a defect's core, xi, is {:.2g} spacings: the order in it is wrong by {}", spacings,
-                            spacings < 1.0 ? "more than 6 %" : fmt::format("some {:.2g} %", percent_wrong(spacings))),
+                finding,
                 {spacing_setting(input.setup, good_spacings)},
                 fmt::format("it is wrong by some {:.2g} %", percent_wrong(good_spacings))};
 }

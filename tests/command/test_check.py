@@ -160,8 +160,22 @@ class Check(CommandTest):
         self.assertNotIn("short_step", [one["name"] for one in followed["advice"]])
 
     def test_advice_that_does_not_go_with_the_case_is_not_given(self):
-        told = self.check("--set", "domain.size=[1.6, 0.8]")["advice"]  # 23 columns, but 11.5 rows
-        self.assertNotIn("core_under_resolved", [one["name"] for one in told])
+        small = "--set", "domain.size=[0.6, 0.6]", "--set", "kernel.smoothing_length=0.95"  # a reach of 4 of 6 spacings
+        self.assertNotIn("few_neighbours", [one["name"] for one in self.check(*small)["advice"]])
+        roomy = "--set", "kernel.smoothing_length=0.95"
+        self.assertIn("few_neighbours", [one["name"] for one in self.check(*roomy)["advice"]])
+
+    def test_a_core_below_two_spacings_is_told_with_a_spacing_that_fits(self):
+        for settings, fitting in ((["domain.size=[1.6, 0.8]"], 1.6 / 24),  # 23 columns are 11.5 rows
+                                  (["particles.spacing=0.08"], 1.6 / 23)):  # 1.77 spacings
+            told = self.check(*(word for setting in settings for word in ("--set", setting)))["advice"]
+            found = {one["name"]: one["settings"] for one in told}
+            self.assertEqual(found["core_under_resolved"], [f"particles.spacing={fitting:.12g}"])
+
+    def test_a_core_that_no_spacing_resolves_is_told(self):
+        out, _ = self.mesogen("check", self.write_case(), "--quick", "--set", "physics.nematic.elastic_constant=1e-9")
+        self.assertRegex(out, r"(?m)^  a defect's core, xi, is 0\.00032 spacings: .*\n"
+                              r"      cores of 2 spacings take 1e\+10 particles: a smaller box or larger elastic constant")
 
     def test_misspelt_section_is_told_once(self):
         for right, wrong in (("domain", "domian"), ("director", "directr"), ("kernel", "kernal")):

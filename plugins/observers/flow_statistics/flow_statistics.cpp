@@ -53,13 +53,17 @@ double smallest_distance(const Scene& scene, const std::vector<std::array<double
 class FlowStatistics final : public Observer {
  public:
   void plan(const Scene& scene, ObserverPlan& plan) override {
-    for (const auto* field : {"velocity", "velocity_gradient", "density"}) plan.reads_if_present(field);
+    for (const auto* field : {"velocity", "velocity_gradient", "density", "internal_energy"})
+      plan.reads_if_present(field);
     plan.reads("volume");
     const bool plane = scene.dimension == 2;  // per metre of depth
     plan.scalar("v_rms").unit("m/s").doc("root of the mean square velocity, sqrt(<u.u>)");
     plan.scalar("vorticity_rms").unit("1/s").doc("root of the mean square vorticity, w = dv/dx - du/dy in 2D");
     plan.scalar("divergence_rms").unit("1/s").doc("root of the mean square divergence of the velocity");
     plan.scalar("kinetic_energy").unit(plane ? "J/m" : "J").doc("sum of m u.u / 2, m = <density> * box / N");
+    plan.scalar("compression_energy")
+        .unit(plane ? "J/m" : "J")
+        .doc("energy stored by compression: sum of internal_energy * box / N");
     plan.table("total_momentum", static_cast<std::size_t>(scene.dimension))
         .unit(plane ? "kg/s" : "kg m/s")
         .doc("sum of m u: one row, a column an axis; 2D: per metre of depth");
@@ -73,6 +77,7 @@ class FlowStatistics final : public Observer {
   void sample(const ObserverContext& context, Sample& sample) override {
     const ById particles(context);
     motion(context, particles, sample);
+    sample.set("compression_energy", compression_energy(context, particles));
     gradient(context, particles, sample);
     filling(context, particles, sample);
   }
@@ -112,6 +117,12 @@ class FlowStatistics final : public Observer {
     sample.set("v_rms", std::sqrt(squares.value() / static_cast<double>(particles.count())));
     sample.set("kinetic_energy", 0.5 * m * squares.value());
     sample.set("total_momentum", momentum);
+  }
+
+  /// Per volume at rest, which is the same for all particles.
+  static double compression_energy(const ObserverContext& context, const ById& particles) {
+    return context.has("internal_energy") ? mean(particles.values("internal_energy")) * volume_of_box(context.scene())
+                                          : none;
   }
 
   static void gradient(const ObserverContext& context, const ById& particles, Sample& sample) {

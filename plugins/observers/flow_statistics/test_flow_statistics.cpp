@@ -28,6 +28,7 @@ FakeObserverContext vortices(double drift_x = 0.0) {
   context.set("velocity_gradient", {both(cosine, cosine, speed * k), both(sine, sine, -speed * k),
                                     both(sine, sine, speed * k), both(cosine, cosine, -speed * k)});
   context.set("density", {[](double, double) { return 1.5; }});
+  context.set("internal_energy", {both(sine, sine, 2.0)});
   return context;
 }
 
@@ -58,6 +59,13 @@ TEST(FlowStatistics, TellsThePhysicalDensity) {
   EXPECT_NEAR(values.at("kinetic_energy")[0] / (0.5 * 3e-4 * area * speed * speed / 2.0), 1.0, 1e-12);
   EXPECT_NEAR(values.at("density_min")[0], 3e-4, 1e-16);
   EXPECT_NEAR(values.at("density_max")[0], 3e-4, 1e-16);
+}
+
+TEST(FlowStatistics, EnergyOfCompressionIsThatOfVolumesAtRest) {
+  auto context = vortices();
+  context.set("internal_energy", {[](double x, double) { return 3.0 + std::sin(k * x); }});
+  context.jitter(0.3, 4);
+  EXPECT_NEAR(started(context).number(context, "compression_energy"), 3.0 * area, 1e-13);
 }
 
 TEST(FlowStatistics, MomentumOfADrift) {
@@ -104,14 +112,16 @@ TEST(FlowStatistics, WithoutAFlowItStillSaysHowParticlesFillTheBox) {
   const FakeObserverContext context(10, 12, 1.0, 1.2);
   auto observer = started(context);
   const auto values = observer.sample(context);
-  for (const auto* name : {"v_rms", "vorticity_rms", "divergence_rms", "kinetic_energy", "density_max"})
+  for (const auto* name :
+       {"v_rms", "vorticity_rms", "divergence_rms", "kinetic_energy", "compression_energy", "density_max"})
     EXPECT_TRUE(std::isnan(values.at(name)[0])) << name;
   EXPECT_TRUE(std::isnan(values.at("total_momentum")[1]));
   EXPECT_NEAR(values.at("min_spacing")[0], 1.0, 1e-12);
   EXPECT_NEAR(values.at("volume_min")[0], 1.0, 1e-12);
   const auto& plan = observer.plan(context.scene());
   EXPECT_EQ(plan.read_list(), std::vector<std::string>{"volume"});
-  EXPECT_EQ(plan.optional_list(), (std::vector<std::string>{"velocity", "velocity_gradient", "density"}));
+  EXPECT_EQ(plan.optional_list(),
+            (std::vector<std::string>{"velocity", "velocity_gradient", "density", "internal_energy"}));
 }
 
 TEST(FlowStatistics, SmallestSpacingIsThatOfAllPairs) {

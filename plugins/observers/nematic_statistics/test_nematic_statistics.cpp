@@ -41,8 +41,8 @@ PluginHarness uniform(double order, double angle, const Constants& constants = n
   return context;
 }
 
-/// Of the box as the particles fill it: the sum of their volumes, all the same on a lattice.
-double area_of(PluginHarness& context) { return 900.0 * context.value("volume"); }
+/// Of the box; the kernel's volumes add up to 6e-6 more on a lattice.
+constexpr double area = length * length;
 
 double value(PluginHarness& context, const std::string& quantity) { return context.sample().at(quantity).at(0); }
 
@@ -52,7 +52,7 @@ TEST(NematicStatistics, UniformNematic) {
   EXPECT_NEAR(values.at("mean_order")[0], 0.8, 1e-15);
   EXPECT_NEAR(values.at("minimum_order")[0], 0.8, 1e-15);
   EXPECT_NEAR(values.at("mean_director_angle")[0], 0.6, 1e-15);
-  EXPECT_NEAR(values.at("free_energy")[0], area_of(context) * (bulk_a * 0.64 + bulk_c * 0.64 * 0.64), 1e-14);
+  EXPECT_NEAR(values.at("free_energy")[0], area * (bulk_a * 0.64 + bulk_c * 0.64 * 0.64), 1e-14);
 }
 
 TEST(NematicStatistics, MeanOrderIsNotTheOrderOfTheMean) {
@@ -102,7 +102,7 @@ TEST(NematicStatistics, ElasticEnergyOfATwist) {
   context.set("order_tensor_gradient", {zero, [](double, double y) { return -k * std::sin(2.0 * k * y); }, zero,
                                         [](double, double y) { return k * std::cos(2.0 * k * y); }});
   const double bulk = bulk_a * 0.25 + bulk_c * 0.0625;
-  EXPECT_NEAR(value(context, "free_energy"), area_of(context) * (bulk + elastic_constant * k * k),
+  EXPECT_NEAR(value(context, "free_energy"), area * (bulk + elastic_constant * k * k),
               1e-13);  // 4 K k^2 q^2
 }
 
@@ -131,8 +131,6 @@ struct Modes {
 TEST(NematicStatistics, VariationOfTheFreeEnergyIsTheMolecularField) {
   const Modes modes{0.6, 0.8, -0.3};
   // H = -A Q - C Q Tr Q^2 + K lap Q, and dF = -integral of Tr(H dQ) = -2 integral of (H11 dQ11 + H12 dQ12).
-  auto context = uniform(1.0, 0.0);
-  const double area = area_of(context);
   double by_a = 0.0;
   double by_b = 0.0;
   constexpr int n = 64;
@@ -158,6 +156,13 @@ TEST(NematicStatistics, VariationOfTheFreeEnergyIsTheMolecularField) {
   EXPECT_GT(std::abs(by_b), 0.1);
   EXPECT_NEAR(along_a / (2 * step), by_a, 1e-6);
   EXPECT_NEAR(along_b / (2 * step), by_b, 1e-6);
+}
+
+TEST(NematicStatistics, TakesTheElasticEnergyOfTheNematicWhereThereIsOne) {
+  auto context = uniform(0.8, 0.6);
+  context.set("order_tensor_gradient", {1e9, 1e9, 1e9, 1e9});
+  context.set("elastic_energy", {0.25});
+  EXPECT_NEAR(value(context, "free_energy"), area * (bulk_a * 0.64 + bulk_c * 0.64 * 0.64 + 0.25), 1e-13);
 }
 
 TEST(NematicStatistics, FreeEnergyIsUnknownWithoutConstants) {

@@ -133,6 +133,22 @@ struct EquationOfState {
   }
 };
 
+/// Energy that compression stores, per volume at rest: rho0 e with de = p / rho^2 drho and e(rho0) = 0, so
+///   rho0 c0^2 / 7 (((1 + c)^6 - 1) / 6 + 1 / (1 + c) - 1), expanded so that nothing cancels.
+template <class Real>
+struct InternalEnergy {
+  FieldView<const Real> compression;
+  FieldView<Real> energy;
+  Real stiffness;  // rho0 c0^2
+
+  MESOGEN_HOST_DEVICE void operator()(Index i) const {
+    const Real c = compression(i);
+    const Real series =
+        Real(5) / Real(2) + c * (Real(10) / Real(3) + c * (Real(5) / Real(2) + c * (Real(1) + c / Real(6))));
+    energy(i) = stiffness / Real(7) * c * c * (series + Real(1) / (Real(1) + c));
+  }
+};
+
 /// Acceleration by pressure and viscosity.
 ///
 /// Pressure: -rho_i sum_j V_j (p_i / rho_i^2 + p_j / rho_j^2) B_i grad W_ij, exact for linear p where B is the

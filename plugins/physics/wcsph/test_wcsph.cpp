@@ -99,6 +99,39 @@ TEST(Wcsph, PressureIsTaitsAndLosesNoDigits) {
   }
 }
 
+// rho0 e(c) against the integral of p / rho^2 over rho (Simpson), p as the equation of state gives it
+TEST(Wcsph, InternalEnergyIsTheWorkOfThePressure) {
+  const PhysicsUnderTest flow("wcsph", {{"density", 2.0}, {"viscosity", 0.1}, {"sound_speed", 3.0}});
+  const auto work = [&](double c) {  // d(rho0 e) / dc
+    FakePassContext context(1);
+    context.set("compression_midpoint", {c});
+    context.set("pressure", {0.0});
+    context.set("pressure_term", {0.0});
+    flow.run("equation of state", context);
+    return 2.0 * 2.0 * context.at("pressure_term", 0);
+  };
+  for (const double c : {-0.3, -0.02, 1e-3, 0.1, 0.3}) {
+    FakePassContext context(1);
+    context.set("compression", {c});
+    context.set("internal_energy", {0.0});
+    flow.run("internal energy, for readers", context);
+    constexpr int parts = 200;
+    double sum = 0.0;
+    for (int n = 0; n < parts; ++n) {
+      const double step = c / parts;
+      sum += step / 6.0 * (work(n * step) + 4.0 * work((n + 0.5) * step) + work((n + 1) * step));
+    }
+    EXPECT_NEAR(context.at("internal_energy", 0) / sum, 1.0, 1e-9) << c;
+    const double closed = 2.0 * 9.0 / 7.0 * ((std::pow(1.0 + c, 6) - 1.0) / 6.0 + 1.0 / (1.0 + c) - 1.0);
+    EXPECT_NEAR(context.at("internal_energy", 0), closed, 1e-15);
+  }
+  FakePassContext context(1);
+  context.set("compression", {1e-12});
+  context.set("internal_energy", {0.0});
+  flow.run("internal energy, for readers", context);
+  EXPECT_NEAR(context.at("internal_energy", 0) / (2.0 * 9.0 * 0.5e-24), 1.0, 1e-11);  // to the last digits
+}
+
 TEST(Wcsph, PublishesWhatItIs) {
   PhysicsUnderTest flow("wcsph", {{"density", 2.0}, {"viscosity", 0.1}, {"expected_speed", 0.7}});
   Constants constants;

@@ -153,6 +153,15 @@ class Wcsph final : public Physics {
     } else {
       pressure_form_ == "conservative" ? momentum<true, true>(list) : momentum<true, false>(list);
     }
+    list.pass("internal energy, for readers", Phase::observe)
+        .reads({"compression"})
+        .writes({"internal_energy"})
+        .run([this](const PassContext& context) {
+          exec::for_each(
+              context.space(), context.count(),
+              wcsph::InternalEnergy<Real>{context.read<Real>("compression"), context.write<Real>("internal_energy"),
+                                          Real(density_ * c0_ * c0_)});
+        });
     if (filters && feedback_) {
       list.pass("filter feedback")
           .reads({"compression_filtered", "compression_midpoint"})
@@ -219,6 +228,9 @@ class Wcsph final : public Physics {
         .doc("rho at the midpoint of the step; with inertia = false about the artificial one");
     list.field("pressure", Rank::scalar).unit("Pa").doc("p at the midpoint of the step");
     list.field("pressure_term", Rank::scalar).unit("Pa m6/kg2").doc("p / rho^2");
+    list.field("internal_energy", Rank::scalar)
+        .unit("J/m3")
+        .doc("energy stored by compression, per volume at rest: rho0 times the integral of p / rho^2 over rho");
     list.field("shift_velocity", Rank::vector).unit("m/s").doc("artificial displacement per time");
   }
 

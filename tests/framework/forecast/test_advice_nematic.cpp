@@ -92,6 +92,39 @@ TEST(Advice, MoreParticlesInACoreMakeItRight) {
   expect_settled(text, *found);
 }
 
+// Below two spacings it is always told, and a spacing is named that fits both edges of the box.
+TEST(Advice, ACoreBelowTwoSpacingsIsNeverPassedInSilence) {
+  EXPECT_FALSE(advised(defects(40), "core_under_resolved"));
+  for (const int across : {39, 31, 30}) {
+    const auto found = advised(defects(across), "core_under_resolved");
+    ASSERT_TRUE(found) << across;
+    EXPECT_EQ(found->settings.front(), fmt::format("particles.spacing={:.12g}", length / 40));
+    expect_settled(defects(across), *found);
+  }
+  CaseText oblong(3.2, 32);
+  oblong.section("domain", "size = [3.2, 1.4]\nboundary = \"periodic_wrap\"")
+      .section("director", "type = \"uniform\"")
+      .nematic(0.4, 0.7, 0.02);
+  const auto found = advised(oblong, "core_under_resolved");
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->settings.front(), fmt::format("particles.spacing={:.12g}", 3.2 / 46));  // 20.1 rows
+  expect_settled(oblong, *found);
+}
+
+// Where a spacing that small is out of reach, the core is told all the same.
+TEST(Advice, ACoreThatNoSpacingResolvesIsTold) {
+  CaseText text(length, 40);
+  text.section("director", "type = \"uniform\"").nematic(0.4, 0.7, 1e-9);
+  CaseRun run = CaseRun::unstarted(text);
+  const auto all = advice({run.setup(), forecast_steps(run.setup()), 0.0});
+  const auto found =
+      std::find_if(all.begin(), all.end(), [](const Advice& one) { return one.name == "core_under_resolved"; });
+  ASSERT_NE(found, all.end());
+  EXPECT_TRUE(found->settings.empty());
+  EXPECT_NE(found->finding.find("is 0.00045 spacings"), std::string::npos) << found->finding;
+  EXPECT_EQ(found->gain, "cores of 2 spacings take 3.2e+10 particles: a smaller box or larger elastic constant helps");
+}
+
 TEST(Advice, FewerParticlesInACoreAreEnough) {
   const CaseText text = defects(90);
   const auto found = advised(text, "core_over_resolved");
