@@ -26,6 +26,14 @@ parallel = 2
 series = "flow.v_rms"
 from = 0.02
 """
+# A run that breaks down: steps of many times their limit, with nothing to land on before.
+RUNS_AWAY = """\
+[point.runs_away]
+"time.factor" = 30.0
+"time.end" = 20.0
+"observers.flow.interval" = 20.0
+"output.interval" = 20.0
+"""
 
 
 class SweepTest(CommandTest):

@@ -102,7 +102,7 @@ class Check(CommandTest):
         self.assertEqual([plugin["type"] for plugin in told["plugins"]],
                          ["quintic", "periodic_ghosts", "wcsph", "beris_edwards", "active_stress", "flow_statistics"])
         self.assertEqual(told["disk"]["frames"], 3)
-        self.assertEqual(told["disk"]["frame"], 256 * (16 + 8 + 16 + 16))
+        self.assertEqual(told["disk"]["frame"], 256 * (16 + 8 + 16 + 16 + 8 + 8))  # the last two: what pictures show
 
     def test_predicts_the_steps_of_a_run(self):
         told = self.check()
@@ -223,7 +223,7 @@ class Check(CommandTest):
     def test_disk_that_is_too_small(self):
         case = self.write_case()
         out, err = self.mesogen("check", case, "--quick", "--set", "output.interval=1e-11", code=2)
-        self.assertRegex(err, r"^error: --set: output\.interval: 1e\+10 frames of 0\.0143 MB and two checkpoints take "
+        self.assertRegex(err, r"^error: --set: output\.interval: 1e\+10 frames of 0\.0184 MB and two checkpoints take "
                               r"\S+ GB of disk, frames twice while they are packed at the end, where \S+ GB are free; an "
                               r"interval of \S+ s or more fits\n$")
         self.assertIn("case.toml cannot be run here\n", out)

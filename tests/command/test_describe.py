@@ -170,8 +170,9 @@ class Reference(CommandTest):
         for line in ("### `[director]`",
                      '| `amplitude` | number | rad | >= 0 | required | largest random deviation; only with `type = '
                      '"perturbed"` |',
-                     "| `interval` | number | s | > 0 | | simulated time between stored frames; by default the whole "
-                     "run |",
+                     "| `interval` | number | s | > 0 | | simulated time between stored frames; by default the whole run. "
+                     "Steps end exactly on these times: they are shortened for that, so another interval changes the "
+                     "steps, and rounding with them |",
                      "| `viscosity` | number | Pa s | > 0 | required | mu: dynamic viscosity |",
                      "| `order_tensor_rate` | order tensor | 1/s | DQ/Dt | |",
                      "| friction | rates | `velocity`, `density` | | | | `acceleration` |",

@@ -12,7 +12,7 @@ import time
 import unittest
 
 from support import MESOGEN, PROJECT
-from sweep_case import CASE, LONGER, SWEEP, SweepTest
+from sweep_case import CASE, LONGER, RUNS_AWAY, SWEEP, SweepTest
 
 sys.path.insert(0, os.path.join(PROJECT, "python"))
 import mesogen  # noqa: E402
@@ -189,7 +189,7 @@ class Sweep(SweepTest):
         self.assertIn("nothing has run yet", self.sweep("--collect-only", code=2)[1])
 
     def test_a_run_that_fails_is_told_with_its_reason(self):
-        self.write(SWEEP + '[point.runs_away]\n"time.factor" = 30.0\n"time.end" = 20.0\n', "sweep.toml")
+        self.write(SWEEP + RUNS_AWAY, "sweep.toml")
         out, err = self.sweep()
         self.assertRegex(err, r"runs_away-seed_1: FAILED: the run (broke down|ran away)")
         self.assertRegex(out, r"\| runs_away +\| .*\| 0 of 2 \| +\| +\|")

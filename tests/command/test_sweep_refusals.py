@@ -122,6 +122,7 @@ class Refusals(SweepTest):
 
     def test_a_run_that_another_process_is_at(self):
         os.makedirs(self.path("out", "state", "thick-seed_1"))
+        open(self.path("out", ".lock"), "w", encoding="ascii").close()  # the folder is a sweep's
         with open(self.path("out", "state", "thick-seed_1", ".lock"), "w", encoding="ascii") as lock:
             fcntl.flock(lock, fcntl.LOCK_EX)
             _, err = self.sweep("--quiet", code=2)

@@ -5,7 +5,7 @@ import subprocess
 import unittest
 
 from support import MESOGEN
-from sweep_case import SWEEP, SweepTest
+from sweep_case import RUNS_AWAY, SWEEP, SweepTest
 
 SBATCH = """\
 #!/bin/sh
@@ -124,7 +124,7 @@ class Slurm(SweepTest):
         self.assertIn("error: --task: thick-seed_1 is no more the run that was submitted: ", self.run_task(3, code=2))
 
     def test_a_task_whose_run_fails(self):
-        self.write(SWEEP + '[point.runs_away]\n"time.factor" = 30.0\n"time.end" = 20.0\n', "sweep.toml")
+        self.write(SWEEP + RUNS_AWAY, "sweep.toml")
         self.sweep("--slurm")
         self.assertRegex(self.run_task(4, code=1), r"^error: runs_away-seed_1: the run (broke down|ran away)")
         self.assertIn("FAILED", self.sweep("--collect-only")[0])
