@@ -12,6 +12,12 @@ namespace {
 // of single precision: 6e-8 (L / (2 pi h))^2 = 4e-4.
 constexpr double smoothing_lengths_in_single = 500.0;
 
+/// The next number of three digits: so that the last frame is that of the end.
+double rounded_up(double value) {
+  const double digit = std::pow(10.0, std::floor(std::log10(value)) - 2.0);
+  return std::ceil(value / digit * (1.0 - 1e-12)) * digit;
+}
+
 }  // namespace
 
 // Positions and all that is advanced are kept in double in any case.
@@ -49,7 +55,7 @@ std::optional<Advice> large_output(const AdviceInput& input) {
   return Advice{"large_output",
                 fmt::format("{:.10g} frames of {:.3g} MB take {:.3g} GB: more than half of what is free on this disk",
                             frames, one / 1e6, frames * one / 1e9),
-                {setting("output.interval", source.time.end / (fewer - 1.0))},
+                {setting("output.interval", rounded_up(source.time.end / (fewer - 1.0)))},
                 fmt::format("{:.10g} frames, {:.2g} times fewer bytes", fewer, frames / fewer)};
 }
 

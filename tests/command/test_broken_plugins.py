@@ -130,7 +130,7 @@ class Misbehaving(CommandTest):
             "dummy_nowhere": (3, 'plugin "dummy_nowhere", dummies(): dummy 0 is at (nan, -0.01, 0) m'),
             "no_offset": (3, 'plugin "no_offset", copies(): gives 1 sources, but 0 offsets: each copy needs one of both'),
             "no_source": (3, 'plugin "no_source", copies(): copy 0 is of particle -1, which there is not'),
-            "rules_lost": (3, 'plugin "rules_lost", extend(): leaves 0 rules for \'order_tensor\' where there were 1: change '
+            "rules_lost": (3, 'plugin "rules_lost", extend(): leaves 0 rules for \'order_tensor\' where there were 2: change '
                               "them in place"),
             "rule_not_finite": (3, 'plugin "rule_not_finite", extend(): a rule for \'order_tensor\' is not finite: inf f + '
                                    "0"),

@@ -10,6 +10,7 @@
 // smoothing kernel is a few per cent off, and stable for any step.
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <optional>
 
@@ -182,6 +183,7 @@ class Incompressible final : public Physics {
     sums.fastest_rate = Real(0.1 * per_step);
     sums.fastest = Real(MeshFlow<Real, Dim>::farthest_shift * particle_spacing_ * per_step);
     sums.spacing = Real(particle_spacing_);
+    sums.at_support = Real(std::pow(particle_spacing_ / context.scene().support, 3));
     sph::pair_sum(context.space(), context.neighbours<Real, Dim>(), context.kernel(), sums);
   }
 

@@ -8,9 +8,11 @@ namespace mesogen::incompressible {
 /// Moves particles apart that stand close together, nearer than the points of the mesh: the mesh does not see them, but
 /// sums over neighbours do. As a velocity (after Shadloo et al. 2011, Ozbulut et al. 2017):
 ///
-///   rate sum_j (dx / r_ij)^3 r_ij   over the support,   rate = strength max(|grad u|, its mean),
+///   rate sum_j ((dx / r_ij)^3 - (dx / R)^3) r_ij,   rate = strength max(|grad u|, its mean),
 ///
-/// with dx the spacing of the particles. The mean counts where a pair has come to lie in a quiet place.
+/// with dx the spacing of the particles and R the radius of the support, where the sum ends: without a jump, since
+/// neighbours on a lattice may stand just there, and rounding would say which of them count. The mean counts where a
+/// pair has come to lie in a quiet place.
 template <class Real, int Dim>
 struct PairShift {
   static constexpr int sum_count = Dim;
@@ -22,6 +24,7 @@ struct PairShift {
   Real fastest_rate;   // 1/s
   Real fastest;        // m/s
   Real spacing;        // m
+  Real at_support;     // (dx / R)^3
 
   struct Own {};
   MESOGEN_HOST_DEVICE Own load(Index) const { return {}; }
@@ -30,7 +33,8 @@ struct PairShift {
   [[gnu::always_inline]] MESOGEN_HOST_DEVICE void pair(const Own&, const Pair& p, Lane* sum) const {
     const Lane inverse = p.inside(p.inverse_distance * spacing);
     const Lane cube = inverse * inverse * inverse;
-    exec::unroll<Dim>([&](auto d) { sum[d] = sum[d] + cube * p.separation[d]; });
+    const Lane push = p.inside(cube - at_support);
+    exec::unroll<Dim>([&](auto d) { sum[d] = sum[d] + push * p.separation[d]; });
   }
 
   MESOGEN_HOST_DEVICE void finish(Index i, const Own&, const Real* sum) const {

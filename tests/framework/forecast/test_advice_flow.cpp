@@ -108,7 +108,7 @@ TEST(Advice, FewNeighboursGoWrongAndMoreDoNot) {
     CaseRun after(text, found->settings);
     after.run_to(end);
     EXPECT_LT(error_of_speed(after), 0.015);
-    EXPECT_GT(wrong, 2.0 * 0.015);
+    EXPECT_GT(wrong, 4.0 * error_of_speed(after));
     EXPECT_GT(after.observe("flow_statistics", "min_spacing"), 0.4);
     EXPECT_GT(after.stepper().control().at_rest(), before.stepper().control().at_rest());
     expect_settled(text, *found);
