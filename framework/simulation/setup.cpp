@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <set>
 #include <stdexcept>
 
 #include "case/nearest.hpp"
@@ -13,7 +12,7 @@
 #include "initial/fields.hpp"
 #include "plugin/plugin_call.hpp"
 #include "simulation/choose_backend.hpp"
-#include "simulation/fewest_neighbours.hpp"
+#include "simulation/refusals.hpp"
 #include "simulation/rounded_text.hpp"
 #include "simulation/smoothing.hpp"
 #include "sph/lattice.hpp"
@@ -59,8 +58,6 @@ class SetupBuilder {
   void collect_fields();
   void choose_output();
   void plan_observers();
-  void refuse_traces();
-  void refuse_few_neighbours();
 
   Setup& setup_;
   const Case& source_;
@@ -291,37 +288,6 @@ void SetupBuilder::plan_observers() {
     });
 }
 
-// Particles that stay carry nothing: what marks or follows them would show a fluid at rest.
-void SetupBuilder::refuse_traces() {
-  const auto flow = std::find_if(setup_.physics.begin(), setup_.physics.end(),
-                                 [](const auto& member) { return member.passes.transport().fixed; });
-  if (flow == setup_.physics.end()) return;
-  const std::string why = "in the Eulerian motion of '" + flow->instance + "' particles stay where they are, so ";
-  if (source_.colour.given)
-    problems_.add(source_.place("colour"), "colour",
-                  why + "a colour would not move; remove it, or take motion = \"lagrangian\"");
-  for (std::size_t n = 0; n < setup_.observers.size(); ++n)
-    if (setup_.observers[n].plan.traces())
-      problems_.add(source_.observers[n].section.place(), source_.observers[n].section.path(),
-                    why + "this observer would see nothing move; remove it, or take motion = \"lagrangian\"");
-}
-
-// Only where the scene sums over neighbours.
-void SetupBuilder::refuse_few_neighbours() {
-  const StepGraph& graph = *setup_.graph;
-  std::set<std::string> derived = graph.derived_for_integration();
-  for (std::size_t n = 0; n <= setup_.observers.size(); ++n)
-    derived.insert(graph.derived_for_reader(n).begin(), graph.derived_for_reader(n).end());
-  if (derived.empty() && !graph.sums_pairs()) return;
-  const Transport& flow = graph.transport();
-  const NeighbourNeeds needs{
-      .quadratic = source_.laplacian == "consistent" &&
-                   std::ranges::any_of(derived, [](const std::string& name) { return name.ends_with("_laplacian"); }),
-      .moving = !flow.velocity.empty() && !flow.fixed};
-  if (const std::string problem = neighbours_problem(source_, setup_.smoothing, needs); !problem.empty())
-    problems_.add(source_.place("kernel.smoothing_length"), "kernel.smoothing_length", problem);
-}
-
 void SetupBuilder::put_together() {
   // Fields depend on which plugins there are, the rest on sound parameters too.
   const bool all_made =
@@ -333,7 +299,7 @@ void SetupBuilder::put_together() {
   choose_output();
   if (!sound) return;
   plan_observers();
-  refuse_traces();
+  refuse_traces(setup_, problems_);
   if (!problems_.empty()) return;
   if (additions_.readers) additions_.readers(setup_);
   std::vector<StepGraph::Member> members;
@@ -343,7 +309,7 @@ void SetupBuilder::put_together() {
   for (const auto& member : setup_.observers) readers.push_back({"observers." + member.instance, member.fields});
   readers.push_back({"output.fields", setup_.output_fields});
   setup_.graph = std::make_unique<StepGraph>(setup_.catalogue, members, readers, *setup_.backend);
-  refuse_few_neighbours();
+  refuse_few_neighbours(setup_, problems_);
   setup_.resolved_text = resolved_.text();
 }
 
