@@ -53,7 +53,7 @@ std::vector<std::byte> encode_frame(const std::vector<FrameField>& fields, const
                 const auto field = std::ranges::find(fields, wanted.name, &FrameField::name);
                 std::vector<double> values = field->values;
                 if (wanted.type == NumberType::float32)
-                  for (double& value : values) value = static_cast<float>(value);
+                  for (double& value : values) value = double(static_cast<float>(value));
                 return values;
               });
   return hdf5::image(memory);
