@@ -151,7 +151,7 @@ ParameterList time(Case::Time& time) {
   list.number("end", time.end).unit("s").doc("simulated time to run").above(0.0).required();
   list.number_or("step", time.step, "auto")
       .unit("s")
-      .doc("time step; shortened where a sample or a frame is asked for between two steps")
+      .doc("time step; shortened where a sample, a frame or a kept checkpoint is asked for between two steps")
       .above(0.0);
   list.text("scheme", time.scheme)
       .choices({"half_steps", "midpoint"})

@@ -80,7 +80,8 @@ class Moments {
 bool is_enough(const sph::KernelShape& shape, double h, const Arrangement& patch, bool quadratic) {
   const double scale = shape.normalisation(2) / (h * h);
   const double radius = h * shape.support();
-  const auto& [x, y, z] = patch.position;
+  const auto& x = patch.position[0];
+  const auto& y = patch.position[1];
   const auto for_neighbours = [&](std::size_t i, const auto& action) {
     for (std::size_t j = 0; j < x.size(); ++j) {
       const double dx = nearest_image(x[j] - x[i]);

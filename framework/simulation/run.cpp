@@ -109,7 +109,7 @@ class Run {
   /// The next time for which something is asked in a run to `end`, s.
   [[nodiscard]] double next_asked(double end) {
     const double time = stepper_.world().time;
-    return std::min(observation_.next(time, end), kept_.next(time));
+    return std::min(observation_.next(time, end), kept_.next(time, end));
   }
   /// The next time on which a step is to end, s.
   [[nodiscard]] double next_mark() {

@@ -204,6 +204,7 @@ void Stepper::restore(const Checkpoint& checkpoint) {
     return take_of(map, name, world_.particles.id.size(), "particles");
   };
   const auto put = [](const auto& values, auto& to) { to.assign(values.begin(), values.end()); };
+  world_.return_to_order();
   world_.backend.finish();
   world_.step = whole_.runs = checkpoint.step;
   world_.time = checkpoint.time;

@@ -18,10 +18,10 @@ KeptTimes::KeptTimes(std::vector<double> times, std::optional<double> every)
   std::ranges::sort(times_);
 }
 
-double KeptTimes::next(double time) const {
+double KeptTimes::next(double time, double end) const {
   double next = std::numeric_limits<double>::infinity();
   if (const auto at = std::ranges::upper_bound(times_, reached(time)); at != times_.end()) next = *at;
-  return std::min(next, every_.next(time));
+  return std::min(next, every_.next(time, end));
 }
 
 bool KeptTimes::due(double from, double to) const { return next(from) <= reached(to); }

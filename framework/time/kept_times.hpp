@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -14,8 +15,8 @@ class MESOGEN_EXPORT KeptTimes {
   /// s; `every` adds its multiples.
   KeptTimes(std::vector<double> times, std::optional<double> every);
 
-  /// The first after `time`, s; infinite if there is none.
-  [[nodiscard]] double next(double time) const;
+  /// The first after `time`, s, in a run to `end`; infinite if there is none. See Timing::next.
+  [[nodiscard]] double next(double time, double end = std::numeric_limits<double>::infinity()) const;
   /// Does the step from `from` to `to` (s) reach one?
   [[nodiscard]] bool due(double from, double to) const;
 

@@ -197,7 +197,7 @@ def way_of(stopped):
 
 def stop_time(stopped, times):
     """When a run was stopped (s): as its message says, else its last sample."""
-    said = re.search(r" at t = ([-+.\deE]+) s", stopped)
+    said = re.search(r" at t = ([-+.\deE]+) ", stopped)
     return float(said[1]) if said else float(times[-1]) if len(times) else 0.0
 
 

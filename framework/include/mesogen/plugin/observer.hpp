@@ -112,7 +112,8 @@ class MESOGEN_EXPORT Observer {
   virtual void parameters(ParameterList& list);
   virtual void plan(const Scene& scene, ObserverPlan& plan) = 0;
   /// Called before the first sample, with the state that the run begins with. When a run is resumed it is called with
-  /// that same state, then restore(): what is found here need not be saved, what is gathered later must be.
+  /// that same state, then restore(): what is found here need not be saved, what is gathered later must
+  /// be. The first state of a resumed branch is that of its case: save what start() found for runs that are branched.
   virtual void start(const ObserverContext& context);
   virtual void sample(const ObserverContext& context, Sample& sample) = 0;
   /// After every step, if the plan asked for it. Positions and fields that are advanced in time can be read then.
