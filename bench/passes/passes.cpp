@@ -94,7 +94,9 @@ using Momentum = wcsph::Momentum<Real, 2, false, false>;
 template <class Real>
 using RadialMomentum = wcsph::Momentum<Real, 2, true, false>;
 template <class Real>
-using ShiftAndMomentum = sph::Together<Shift<Real>, Momentum<Real>>;
+using Diffusion = wcsph::DensityDiffusion<Real>;
+template <class Real>
+using AllOfWcsph = sph::Together<sph::Together<Shift<Real>, Momentum<Real>>, Diffusion<Real>>;
 
 template <class Real, class Pass>
 void fill_shift(Bed<Real>& bed, Pass& pass) {
@@ -115,6 +117,14 @@ void fill_momentum(Bed<Real>& bed, Pass& pass) {
   pass.velocity_laplacian = bed.source(2);
   pass.acceleration = bed.field(2);
   pass.viscosity = Real(1);
+}
+
+template <class Real, class Pass>
+void fill_diffusion(Bed<Real>& bed, Pass& pass) {
+  pass.volume = bed.volume;
+  pass.compression = bed.source(1);
+  pass.rate = bed.field(1);
+  pass.diffusivity = Real(1);
 }
 
 template <class Real>
@@ -142,9 +152,11 @@ std::map<std::string, Case<Real>> cases(Bed<Real>& bed) {
   all["published shift"] = sum<Real, PublishedShift>(bed, [&](auto& pass) { fill_shift(bed, pass); });
   all["pressure, viscosity"] = sum<Real, Momentum>(bed, [&](auto& pass) { fill_momentum(bed, pass); });
   all["pressure, radial viscosity"] = sum<Real, RadialMomentum>(bed, [&](auto& pass) { fill_momentum(bed, pass); });
-  all["pressure, viscosity and shift"] = sum<Real, ShiftAndMomentum>(bed, [&](auto& pass) {
-    fill_shift(bed, pass.first);
-    fill_momentum(bed, pass.second);
+  all["density diffusion"] = sum<Real, Diffusion>(bed, [&](auto& pass) { fill_diffusion(bed, pass); });
+  all["pressure, viscosity, shift and density diffusion"] = sum<Real, AllOfWcsph>(bed, [&](auto& pass) {
+    fill_shift(bed, pass.first.first);
+    fill_momentum(bed, pass.first.second);
+    fill_diffusion(bed, pass.second);
   });
   return all;
 }

@@ -116,7 +116,7 @@ class Incompressible final : public Physics {
 
   void passes(PassList& list) override {
     fields(list);
-    list.flows({"velocity", "shift_velocity", true, false, "acceleration"});
+    list.flows({"velocity", "shift_velocity", false, "acceleration"});
     for (int n = 0; prepared_ && n < Momentum::kept_count; ++n)
       list.keep(Momentum::kept[n], Momentum::count(grid_, n), [this, n] { return flow().momentum().numbers(n); });
     if (prepared_) list.keep("origin of the mesh", Dim, [this] { return flow().origin(); });

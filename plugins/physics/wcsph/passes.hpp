@@ -9,22 +9,44 @@
 namespace mesogen::wcsph {
 
 /// Continuity: dc/dt = -(1 + c) div u, with the corrected gradient; c at the midpoint of the step is c + dt/2 dc/dt.
-/// With diffusion (Molteni and Colagrossi 2009): dc/dt gains D lap c, D = delta h c0.
 template <class Real, int Dim>
 struct Continuity {
   FieldView<const Real> compression, velocity_gradient;
-  FieldView<const Real> laplacian;  // of the compression; empty: no diffusion
   FieldView<Real> rate, midpoint, density;
-  Real half_step, reference_density, diffusivity;
+  Real half_step, reference_density;
 
   MESOGEN_HOST_DEVICE void operator()(Index i) const {
     Real divergence = Real(0);
     for (int d = 0; d < Dim; ++d) divergence += velocity_gradient(d * Dim + d, i);
-    Real change = -(Real(1) + compression(i)) * divergence;
-    if (laplacian) change += diffusivity * laplacian(i);
+    const Real change = -(Real(1) + compression(i)) * divergence;
     rate(i) += change;
     midpoint(i) = compression(i) + half_step * change;
     density(i) = reference_density * (Real(1) + midpoint(i));
+  }
+};
+
+/// Density diffusion (delta-SPH; Molteni and Colagrossi 2009): dc/dt gains D lap c, D = delta h c0, with
+///   lap c = 2 sum_j V_j (c_i - c_j) W'_ij / r_ij,
+/// which keeps sum_i V_i c_i. Density that alternates from particle to particle has next to no gradient: pressure does
+/// not even it out.
+template <class Real>
+struct DensityDiffusion {
+  static constexpr int sum_count = 1;
+
+  FieldView<const Real> volume, compression;
+  FieldView<Real> rate;
+  Real diffusivity;
+
+  using Own = Real;
+  MESOGEN_HOST_DEVICE Own load(Index i) const { return compression(i); }
+
+  template <class Pair, class Lane>
+  [[gnu::always_inline]] MESOGEN_HOST_DEVICE void pair(const Own& own, const Pair& p, Lane* sum) const {
+    sum[0] = sum[0] + p.load(volume) * p.gradient() * (Lane(own) - p.load(compression));
+  }
+
+  MESOGEN_HOST_DEVICE void finish(Index i, const Own&, const Real* sum) const {
+    rate(i) += Real(2) * diffusivity * sum[0];
   }
 };
 

@@ -64,7 +64,9 @@ class Wcsph final : public Physics {
         .unit("1")
         .at_least(0)
         .at_most(0.5)
-        .doc("delta of the density diffusion delta h c0 lap rho (delta-SPH), 0.1 where it is used; 0: none");
+        .doc(
+            "delta of the density diffusion delta h c0 lap rho (delta-SPH); 0: none, and what alternates from particle "
+            "to particle drives a flow where none should be");
     list.number("density_filter", filter_)
         .unit("1")
         .at_least(0)
@@ -84,10 +86,6 @@ class Wcsph final : public Physics {
     list.text("shift_speed", shift_speed_)
         .choices({"spread", "strain"})
         .doc("speed that the shift scales with: spread of the velocities of neighbours, as published, or h |grad u|");
-    list.flag("shift_carries_fields", shift_carries_fields_)
-        .doc(
-            "velocity and order tensor are re-evaluated where the shift takes a particle (ALE): f changes by shift . "
-            "grad f; momentum drifts more");
     list.text("motion", motion_)
         .choices({"lagrangian", "eulerian"})
         .doc(
@@ -127,14 +125,15 @@ class Wcsph final : public Physics {
   void passes(PassList& list) override {
     fields(list);
     const bool fixed = motion_ == "eulerian";
-    list.flows({"velocity", "shift_velocity", shift_carries_fields_, fixed});
+    list.flows({"velocity", "shift_velocity", fixed});
     continuity(list);
     const bool filters = filter_ > 0.0;
     if (filters) density_filter(list);
     const bool shifts = shift_ > 0.0 && !fixed;
     // What most scenes have shares one loop over the pairs.
-    const bool together =
-        shifts && shift_speed_ == "strain" && viscosity_form_ == "component" && pressure_form_ == "corrected";
+    const bool together = shifts && shift_speed_ == "strain" && viscosity_form_ == "component" &&
+                          pressure_form_ == "corrected" && diffusion_ > 0.0;
+    if (diffusion_ > 0.0 && !together) density_diffusion(list);
     if (shifts && !together) shift_speed_ == "spread" ? shift<true>(list) : shift<false>(list);
     const std::string compression = filters ? "compression_filtered" : "compression_midpoint";
     list.pass("equation of state")
@@ -147,7 +146,7 @@ class Wcsph final : public Physics {
                                                       Real(density_)});
         });
     if (together) {
-      shift_and_momentum(list);
+      all_together(list);
     } else if (viscosity_form_ == "component") {
       pressure_form_ == "conservative" ? momentum<false, true>(list) : momentum<false, false>(list);
     } else {
@@ -184,8 +183,8 @@ class Wcsph final : public Physics {
   // With keys of its own the case asks for this plugin.
   void suggest(const Scene& scene, const StepLimits& limits, std::vector<Suggestion>& list) const override {
     if (viscosity_form_ == "component" && density_variation_ == 0.01 && pressure_form_ == "corrected" &&
-        diffusion_ == 0.0 && filter_ == 0.0 && !feedback_ && shift_ == 0.3 && shift_speed_ == "strain" &&
-        !shift_carries_fields_ && motion_ == "lagrangian")
+        diffusion_ == 0.03 && filter_ == 0.0 && !feedback_ && shift_ == 0.3 && shift_speed_ == "strain" &&
+        motion_ == "lagrangian")
       wcsph::suggest_no_sound(scene, limits, std::min(sound_step(scene), viscous_step(scene)), list);
   }
 
@@ -235,22 +234,19 @@ class Wcsph final : public Physics {
   }
 
   void continuity(PassList& list) {
-    const bool diffuses = diffusion_ > 0.0;
-    Pass& pass = list.pass("continuity").reads({"compression", "velocity_gradient"});
-    if (diffuses) pass.reads({"compression_laplacian"});
-    pass.accumulates({"compression_rate"})
+    list.pass("continuity")
+        .reads({"compression", "velocity_gradient"})
+        .accumulates({"compression_rate"})
         .writes({"compression_midpoint", "density"})
-        .run([this, diffuses](const PassContext& context) {
+        .run([this](const PassContext& context) {
           wcsph::Continuity<Real, Dim> rate{};
           rate.compression = context.read<Real>("compression");
           rate.velocity_gradient = context.read<Real>("velocity_gradient");
-          if (diffuses) rate.laplacian = context.read<Real>("compression_laplacian");
           rate.rate = context.write<Real>("compression_rate");
           rate.midpoint = context.write<Real>("compression_midpoint");
           rate.density = context.write<Real>("density");
           rate.half_step = Real(context.step_size() / 2.0);
           rate.reference_density = Real(density_);
-          rate.diffusivity = Real(diffusivity_);
           exec::for_each(context.space(), context.count(), rate);
         });
   }
@@ -281,15 +277,33 @@ class Wcsph final : public Physics {
     });
   }
 
-  void shift_and_momentum(PassList& list) {
-    Pass& pass = list.pass("pressure, viscosity and shift");
+  void density_diffusion(PassList& list) {
+    declare_diffusion(list.pass("density diffusion")).run([this](const PassContext& context) {
+      sph::pair_sum(context.space(), context.neighbours<Real, Dim>(), context.kernel(), diffusion_sums(context));
+    });
+  }
+
+  void all_together(PassList& list) {
+    Pass& pass = list.pass("pressure, viscosity, shift and density diffusion");
     declare_shift<false>(pass);
+    declare_diffusion(pass);
     declare_momentum<false>(pass).run([this](const PassContext& context) {
       using Shift = wcsph::Shift<Real, Dim, false>;
       using Momentum = wcsph::Momentum<Real, Dim, false, false>;
+      using Diffusion = wcsph::DensityDiffusion<Real>;
       sph::pair_sum(context.space(), context.neighbours<Real, Dim>(), context.kernel(),
-                    sph::Together<Shift, Momentum>{shift_sums<false>(context), momentum_sums<false, false>(context)});
+                    sph::Together<sph::Together<Shift, Momentum>, Diffusion>{
+                        {shift_sums<false>(context), momentum_sums<false, false>(context)}, diffusion_sums(context)});
     });
+  }
+
+  static Pass& declare_diffusion(Pass& pass) {
+    return pass.reads_neighbours({"compression_midpoint", "volume"}).accumulates({"compression_rate"});
+  }
+
+  wcsph::DensityDiffusion<Real> diffusion_sums(const PassContext& context) const {
+    return {context.read<Real>("volume"), context.read<Real>("compression_midpoint"),
+            context.write<Real>("compression_rate"), Real(diffusivity_)};
   }
 
   template <bool BySpread>
@@ -347,12 +361,11 @@ class Wcsph final : public Physics {
   std::optional<double> expected_speed_;
   double density_variation_ = 0.01;
   std::string pressure_form_ = "corrected";
-  double diffusion_ = 0.0;
+  double diffusion_ = 0.03;
   double filter_ = 0.0;
   bool feedback_ = false;
   double shift_ = 0.3;
   std::string shift_speed_ = "strain";
-  bool shift_carries_fields_ = false;
   std::string motion_ = "lagrangian";
   double c0_ = 0.0;
   double automatic_sound_speed_ = 0.0;

@@ -19,11 +19,10 @@ class PassContext;
 /// How particles, and the fields that are advanced on them, go with a flow.
 struct Transport {
   std::string velocity;  ///< of the fluid, m/s; empty: nothing flows
-  std::string shift;     ///< what moves particles beside it, m/s, if any pass adds to it; may be empty
-  /// The shift takes a particle into other fluid: every predicted field f (velocity, order tensor) changes by
-  /// + shift . grad f too (arbitrary Lagrangian-Eulerian). Without it, particles keep what they carry, an error of
-  /// first order in the shift.
-  bool carries_fields = false;
+  /// What moves particles beside it, m/s, if any pass adds to it; may be empty. It takes a particle into other fluid:
+  /// every predicted field f (velocity, order tensor) changes by + shift . grad f too (arbitrary Lagrangian-Eulerian).
+  /// Particles that kept what they carry would stir the director, and its free energy would rise.
+  std::string shift;
   /// Particles stay where they are, and every advanced field f changes by - velocity . grad f (Eulerian).
   bool fixed = false;
   /// Of what drives the fluid, m/s2, where passes advance the velocity (Advance::by_passes): what the first step from
@@ -32,7 +31,7 @@ struct Transport {
 
   /// The velocity of particles relative to the fluid: + shift, - velocity, or none.
   [[nodiscard]] const std::string& relative() const { return fixed ? velocity : shift; }
-  [[nodiscard]] bool advects() const { return fixed || (carries_fields && !shift.empty()); }
+  [[nodiscard]] bool advects() const { return fixed || !shift.empty(); }
 };
 
 /// When in a step a pass runs.
