@@ -20,10 +20,10 @@ std::string key_of(const Setup& setup, const std::string& parameter) {
 }  // namespace rules
 
 std::vector<Advice> advice(const AdviceInput& input) {
-  constexpr rules::Rule* all[] = {rules::no_inertia,         rules::few_neighbours,   rules::core_under_resolved,
-                                  rules::core_over_resolved, rules::sound_too_slow,   rules::sound_too_fast,
-                                  rules::short_step,         rules::double_precision, rules::nothing_grows,
-                                  rules::no_order,           rules::large_output};
+  constexpr rules::Rule* all[] = {rules::no_inertia,         rules::few_neighbours, rules::core_under_resolved,
+                                  rules::core_over_resolved, rules::sound_too_slow, rules::sound_too_fast,
+                                  rules::wall_jump,          rules::short_step,     rules::double_precision,
+                                  rules::nothing_grows,      rules::no_order,       rules::large_output};
   std::vector<Advice> given;
   for (rules::Rule* const rule : all)
     if (auto one = rule(input)) given.push_back(std::move(*one));

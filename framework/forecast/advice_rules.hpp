@@ -22,6 +22,8 @@ Rule sound_too_slow;
 Rule sound_too_fast;
 // advice_inertia.cpp
 Rule no_inertia;
+// advice_walls.cpp
+Rule wall_jump;
 // advice_cost.cpp
 Rule double_precision;
 Rule short_step;

@@ -115,7 +115,13 @@ struct Shift {
   }
 };
 
-/// Tait: p = rho0 c0^2 / 7 ((1 + c)^7 - 1), expanded so that nothing cancels; and p / rho^2 for the pair sum.
+/// Tait: ((1 + c)^7 - 1) / 7, the pressure over rho0 c0^2, expanded so that nothing cancels.
+template <class Real>
+MESOGEN_HOST_DEVICE Real tait(Real c) {
+  return c * (Real(1) + c * (Real(3) + c * (Real(5) + c * (Real(5) + c * (Real(3) + c * (Real(1) + c / Real(7)))))));
+}
+
+/// The pressure, and p / rho^2 for the pair sum.
 template <class Real>
 struct EquationOfState {
   FieldView<const Real> compression;
@@ -125,11 +131,30 @@ struct EquationOfState {
 
   MESOGEN_HOST_DEVICE void operator()(Index i) const {
     const Real c = compression(i);
-    const Real series =
-        c * (Real(1) + c * (Real(3) + c * (Real(5) + c * (Real(5) + c * (Real(3) + c * (Real(1) + c / Real(7)))))));
     const Real rho = reference_density * (Real(1) + c);
-    pressure(i) = stiffness * series;
+    pressure(i) = stiffness * tait(c);
     pressure_term(i) = pressure(i) / (rho * rho);
+  }
+};
+
+/// Makes the compression that a step leaves smaller, for a sound that is faster from then on, so that the pressure
+/// stays as it is: tait(c') = softening tait(c).
+template <class Real>
+struct SoftenCompression {
+  FieldView<const Real> compression;
+  FieldView<Real> rate;
+  double softening;
+  double step_size;
+
+  MESOGEN_HOST_DEVICE void operator()(Index i) const {
+    const double left = static_cast<double>(compression(i)) + step_size * static_cast<double>(rate(i));
+    const double wanted = softening * tait(left);
+    double soft = softening * left;
+    for (int n = 0; n < 4; ++n) {  // Newton's method: tait'(c) = (1 + c)^6
+      const double cube = (1.0 + soft) * (1.0 + soft) * (1.0 + soft);
+      soft -= (tait(soft) - wanted) / (cube * cube);
+    }
+    rate(i) += static_cast<Real>((soft - left) / step_size);
   }
 };
 

@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 
+#include "adaptive_sound.hpp"
 #include "creeping.hpp"
 #include "mesogen/diagnostics/error.hpp"
 #include "mesogen/plugin/physics.hpp"
@@ -45,7 +46,9 @@ class Wcsph final : public Physics {
         .above(0)
         .doc(
             "c0; auto: 10 times the expected speed, stresses / (rho delta), and for free as high as the viscous step "
-            "allows");
+            "allows. It rises, and steps get shorter, where the flow grows beyond what its start told: where the "
+            "largest |rho / rho0 - 1|, averaged over the time of sound through the box, exceeds 3 density_variation, "
+            "to where density_variation is left of it. A given c0, and c0 with a given time.step, stays");
     list.number_or("expected_speed", expected_speed_, "auto")
         .unit("m/s")
         .at_least(0)
@@ -104,7 +107,8 @@ class Wcsph final : public Physics {
     if (!inertia_) constants["physical_density"] = physical_density_;
     if (!inertia_) constants["relaxation_ratio"] = relaxation_ratio_;
     if (std::isfinite(creeping_density_)) constants["creeping_density"] = creeping_density_;
-    constants["sound_speed"] = c0_;
+    constants["sound_speed"] = sound_.speed();
+    constants["density_variation"] = density_variation_;
     constants["automatic_sound_speed"] = automatic_sound_speed_;
   }
 
@@ -119,8 +123,9 @@ class Wcsph final : public Physics {
     const double needed = wcsph::needed_sound_speed({density_, viscosity_, density_variation_}, scene.scales, length);
     const double free = 0.25 * scene.smoothing_length / viscous_step(scene);
     automatic_sound_speed_ = std::max(needed, free);
-    c0_ = sound_speed_.value_or(automatic_sound_speed_);
-    diffusivity_ = diffusion_ * scene.smoothing_length * c0_;
+    const double longest = *std::max_element(scene.box.begin(), scene.box.begin() + Dim);
+    sound_.start(sound_speed_.value_or(automatic_sound_speed_), density_variation_, longest, !sound_speed_);
+    smoothing_length_ = scene.smoothing_length;
     mass_ = density_ * std::pow(scene.spacing, Dim);
   }
 
@@ -141,10 +146,10 @@ class Wcsph final : public Physics {
         .reads({compression})
         .writes({"pressure", "pressure_term"})
         .run([this, compression](const PassContext& context) {
-          exec::for_each(context.space(), context.count(),
-                         wcsph::EquationOfState<Real>{context.read<Real>(compression), context.write<Real>("pressure"),
-                                                      context.write<Real>("pressure_term"), Real(density_ * c0_ * c0_),
-                                                      Real(density_)});
+          exec::for_each(
+              context.space(), context.count(),
+              wcsph::EquationOfState<Real>{context.read<Real>(compression), context.write<Real>("pressure"),
+                                           context.write<Real>("pressure_term"), Real(stiffness()), Real(density_)});
         });
     if (together) {
       shift_and_momentum(list);
@@ -157,10 +162,9 @@ class Wcsph final : public Physics {
         .reads({"compression"})
         .writes({"internal_energy"})
         .run([this](const PassContext& context) {
-          exec::for_each(
-              context.space(), context.count(),
-              wcsph::InternalEnergy<Real>{context.read<Real>("compression"), context.write<Real>("internal_energy"),
-                                          Real(density_ * c0_ * c0_)});
+          exec::for_each(context.space(), context.count(),
+                         wcsph::InternalEnergy<Real>{context.read<Real>("compression"),
+                                                     context.write<Real>("internal_energy"), Real(stiffness())});
         });
     if (filters && feedback_) {
       list.pass("filter feedback")
@@ -174,6 +178,7 @@ class Wcsph final : public Physics {
                                context.write<Real>("compression_rate"), Real(dt > 0.0 ? 1.0 / dt : 0.0)});
           });
     }
+    faster_sound(list);
   }
 
   void step_limits(const Scene& scene, StepLimits& limits) const override {
@@ -202,21 +207,30 @@ class Wcsph final : public Physics {
     density_ = inertia_ ? physical_density_ : creeping_density_;
   }
 
-  [[nodiscard]] double sound_step(const Scene& scene) const { return 0.25 * scene.smoothing_length / c0_; }
+  [[nodiscard]] double sound_step(const Scene& scene) const { return 0.25 * scene.smoothing_length / sound_.speed(); }
+  [[nodiscard]] double stiffness() const { return density_ * sound_.speed() * sound_.speed(); }
   // The radial form takes up to 3.3 times as much from the shortest waves as the Laplacian of the components.
   [[nodiscard]] double viscous_step(const Scene& scene) const {
     return scene.diffusion_step * density_ / viscosity_ / (viscosity_form_ == "component" ? 1.0 : 4.0);
   }
 
-  static void fields(PassList& list) {
-    list.field("velocity", Rank::vector).unit("m/s").doc("u").predicted_by("acceleration");
+  void fields(PassList& list) {
+    list.field("velocity", Rank::vector)
+        .unit("m/s")
+        .doc("u")
+        .predicted_by("acceleration")
+        .watched_by([this](double fastest, double) {
+          sound_.flows_at(fastest);
+          return std::string();
+        });
     list.field("acceleration", Rank::vector).unit("m/s2").doc("Du/Dt; others may add to it");
     // Far beyond what even a badly chosen sound speed gives: the fluid is no longer weakly compressible.
     list.field("compression", Rank::scalar)
         .doc("rho / rho0 - 1; a run in which it leaves -0.3 to 0.3 is stopped")
         .advanced_by("compression_rate")
+        .watched_by([this](double largest, double step_size) { return sound_.after_step(largest, step_size); })
         .stays_within(
-            -0.3, 0.3,
+            -wcsph::AdaptiveSound::broken, wcsph::AdaptiveSound::broken,
             "If the flow is faster than a tenth of the sound, raise sound_speed (or expected_speed, where that is "
             "\"auto\"); else leave the shift on, density_filter at 0 and time.scheme at \"midpoint\", or take a "
             "smaller step (time.factor = 0.5)");
@@ -250,7 +264,7 @@ class Wcsph final : public Physics {
           rate.density = context.write<Real>("density");
           rate.half_step = Real(context.step_size() / 2.0);
           rate.reference_density = Real(density_);
-          rate.diffusivity = Real(diffusivity_);
+          rate.diffusivity = Real(diffusion_ * smoothing_length_ * sound_.speed());
           exec::for_each(context.space(), context.count(), rate);
         });
   }
@@ -263,6 +277,22 @@ class Wcsph final : public Physics {
           sph::pair_sum(context.space(), context.neighbours<Real, Dim>(), context.kernel(),
                         wcsph::DensityFilter<Real>{context.read<Real>("compression_midpoint"),
                                                    context.write<Real>("compression_filtered"), Real(filter_)});
+        });
+  }
+
+  // Hardly ever does it do anything.
+  void faster_sound(PassList& list) {
+    list.keep("sound", wcsph::AdaptiveSound::kept, [this] { return sound_.state(); });
+    list.pass("faster sound")
+        .reads({"compression"})
+        .accumulates({"compression_rate"})
+        .run([this](const PassContext& context) {
+          const double softening = sound_.softening();
+          if (!(softening < 1.0) || !(context.step_size() > 0.0)) return;
+          exec::for_each(
+              context.space(), context.count(),
+              wcsph::SoftenCompression<Real>{context.read<Real>("compression"), context.write<Real>("compression_rate"),
+                                             softening, context.step_size()});
         });
   }
 
@@ -354,10 +384,10 @@ class Wcsph final : public Physics {
   std::string shift_speed_ = "strain";
   bool shift_carries_fields_ = false;
   std::string motion_ = "lagrangian";
-  double c0_ = 0.0;
+  wcsph::AdaptiveSound sound_;
   double automatic_sound_speed_ = 0.0;
-  double diffusivity_ = 0.0;  // of the density, m2/s
-  double mass_ = 0.0;         // of a particle, kg/m in 2D
+  double smoothing_length_ = 0.0;  // h, m
+  double mass_ = 0.0;              // of a particle, kg/m in 2D
 };
 
 }  // namespace

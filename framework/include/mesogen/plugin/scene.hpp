@@ -4,6 +4,7 @@
 #include <functional>
 #include <limits>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
@@ -33,6 +34,8 @@ struct Distortion {
   double laplacian = 0.0;     ///< largest |lap Q| = sqrt((lap Q11)^2 + (lap Q12)^2) of a particle, 1/m2
   double lowest_order = 0.0;  ///< smallest and largest order q of a particle
   double highest_order = 0.0;
+  double wall_jump = 0.0;  ///< largest angle between the director next to a wall and the one that it holds, rad
+  std::optional<double> wall_angle;  ///< of that one, rad; nothing where walls hold several, or none of them any
 };
 
 /// Numbers that physics plugins publish for observers and for each other: "elastic_constant", "density", ...
