@@ -54,6 +54,66 @@ TEST(Advice, SoundIsLeftWhereItIsNeededOrAskedFor) {
   EXPECT_FALSE(advised(vortices().boundary("walls"), "no_sound"));
 }
 
+/// A passive nematic across planar walls, whose elasticity acts on the flow.
+CaseText across_walls(const std::string& director, const std::string& anchoring, const std::string& axes = "\"y\"") {
+  CaseText text(1.0, 16);
+  text.section("domain",
+               fmt::format("size = [1.0, 1.0]\nboundary = {{ type = \"walls\", axes = [{}], anchoring = {} }}", axes,
+                           anchoring))
+      .section("director", director)
+      .flow(0.1)
+      .nematic(1.0, 0.7, 0.02)
+      .section("physics.elasticity", "type = \"elastic_stress\"")
+      .read("\"density\"");
+  return text;
+}
+
+double most_variation(const CaseText& text, const std::vector<std::string>& settings) {
+  CaseRun run(text, settings);
+  double most = 0.0;
+  for (int n = 1; n <= 20; ++n) {
+    run.run_to(0.005 * n);
+    most = std::max(most, density_variation(run));
+  }
+  return most;
+}
+
+TEST(Advice, ADirectorAsWallsHoldItStartsCalmly) {
+  const std::string angles = "\"angle\", angle_low = 30.0, angle_high = -150.0";
+  for (const auto& [director, anchoring, angle, degrees] :
+       {std::tuple{"type = \"uniform\"\nangle = 1.5707963", std::string("\"planar\""), "0", "90"},
+        std::tuple{"type = \"perturbed\"\nangle = 1.4\namplitude = 0.1\nseed = 1", angles, "0.523599", "56"}}) {
+    const CaseText text = across_walls(director, anchoring);
+    const auto found = advised(text, "wall_jump");
+    ASSERT_TRUE(found);
+    EXPECT_EQ(found->settings, std::vector<std::string>{std::string("director.angle=") + angle});
+    EXPECT_EQ(found->finding, fmt::format("walls hold the director up to {} degrees from where the fluid starts: the "
+                                          "stress of this jump makes the first moments violent",
+                                          degrees));
+    EXPECT_GT(most_variation(text, {}), 3.0 * most_variation(text, found->settings));
+    expect_settled(text, *found);
+  }
+}
+
+// In a closed box no angle suits all walls.
+TEST(Advice, AJumpAtWallsIsCalmerWithFasterSound) {
+  const CaseText text = across_walls("type = \"uniform\"", "\"planar\"", "\"x\", \"y\"");
+  const auto found = advised(text, "wall_jump");
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->settings, std::vector<std::string>{"physics.flow.density_variation=0.0025"});
+  EXPECT_GT(most_variation(text, {}), 2.0 * most_variation(text, found->settings));
+  expect_settled(text, *found);
+}
+
+TEST(Advice, NoJumpIsFoundAtWallsThatHoldNothingOrHardlyAnythingElse) {
+  EXPECT_FALSE(advised(across_walls("type = \"uniform\"\nangle = 1.5", "\"none\""), "wall_jump"));
+  EXPECT_FALSE(advised(across_walls("type = \"uniform\"\nangle = 0.5", "\"planar\""), "wall_jump"));
+  EXPECT_FALSE(advised(across_walls("type = \"uniform\"\nangle = 3.2", "\"planar\""), "wall_jump"));
+  EXPECT_FALSE(advised(across_walls("type = \"uniform\"\nangle = 1.5", "\"planar\"")
+                           .section("physics.elasticity", "type = \"active_stress\"\nactivity = 0.0"),
+                       "wall_jump"));
+}
+
 /// An active film of 1e-6 kg in micrometres between walls, 40 x 20 um: Re = 3e-6.
 CaseText film(double spacing) {
   CaseText text(20e-6, 1);
