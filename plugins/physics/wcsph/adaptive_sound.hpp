@@ -18,6 +18,8 @@ namespace mesogen::wcsph {
 ///     1.5 to 2.5 delta);
 ///   where |c| exceeds 10 delta at any moment, so that half of that is left;
 ///   where the flow exceeds half of the sound, to four times the flow: a parallel one compresses nothing, and breaks.
+/// What breaks for another reason would drive the sound up for ever. So compression raises it to ten times that of the
+/// start, or twenty times the flow, at most, and the flow to a hundred times that of the start.
 class AdaptiveSound {
  public:
   /// `speed`: at the start, m/s. `density_variation`: delta. `length`: longest edge of the box, m.
@@ -45,13 +47,16 @@ class AdaptiveSound {
     const std::string change = rise();
     double& average = state_[lasting];
     average += (compression - average) * step_size / (step_size + length_ / speed());
-    const auto needs = [this](double value, double most, double left) {
-      if (value > most) state_[next] = std::max(state_[next], speed() * std::sqrt(value / left));
+    double wanted = 0.0;
+    const auto needs = [&](double value, double most, double left) {
+      if (value > most) wanted = std::max(wanted, speed() * std::sqrt(value / left));
     };
     needs(average, std::min(3.0 * delta_, 0.5 * broken), delta_);
     const double at_once = std::min(10.0 * delta_, 0.7 * broken);
     needs(compression, at_once, at_once / 2.0);
-    if (fastest_ > speed() / 2.0) state_[next] = std::max(state_[next], 4.0 * fastest_);
+    wanted = std::min(wanted, std::max(10.0 * initial_, 20.0 * fastest_));
+    if (fastest_ > speed() / 2.0) wanted = std::max(wanted, 4.0 * fastest_);
+    state_[next] = std::min(wanted, 100.0 * initial_);
     return change;
   }
 

@@ -231,9 +231,9 @@ class Wcsph final : public Physics {
         .watched_by([this](double largest, double step_size) { return sound_.after_step(largest, step_size); })
         .stays_within(
             -wcsph::AdaptiveSound::broken, wcsph::AdaptiveSound::broken,
-            "If the flow is faster than a tenth of the sound, raise sound_speed (or expected_speed, where that is "
-            "\"auto\"); else leave the shift on, density_filter at 0 and time.scheme at \"midpoint\", or take a "
-            "smaller step (time.factor = 0.5)");
+            "If the flow is faster than a tenth of the sound, leave sound_speed and time.step at \"auto\", where the "
+            "sound adapts, or raise sound_speed; else leave the shift on, density_filter at 0 and time.scheme at "
+            "\"midpoint\", or take a smaller step (time.factor = 0.5)");
     list.field("compression_rate", Rank::scalar).unit("1/s").doc("D(rho / rho0)/Dt");
     list.field("compression_midpoint", Rank::scalar).doc("rho / rho0 - 1 at the midpoint of the step");
     list.field("compression_filtered", Rank::scalar).doc("the same after the density filter");
@@ -244,7 +244,9 @@ class Wcsph final : public Physics {
     list.field("pressure_term", Rank::scalar).unit("Pa m6/kg2").doc("p / rho^2");
     list.field("internal_energy", Rank::scalar)
         .unit("J/m3")
-        .doc("energy stored by compression, per volume at rest: rho0 times the integral of p / rho^2 over rho");
+        .doc(
+            "energy stored by compression, per volume at rest: rho0 times the integral of p / rho^2 over rho. A replay "
+            "makes it with the sound of the start");
     list.field("shift_velocity", Rank::vector).unit("m/s").doc("artificial displacement per time");
   }
 

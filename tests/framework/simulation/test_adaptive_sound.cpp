@@ -78,6 +78,24 @@ struct Growth {
   double end;
 };
 
+constexpr int samples = 40;
+
+/// Largest |c| where the case gives the sound; infinite if the run breaks down.
+double largest_with_sound(const Growth& growth, double speed) {
+  CaseRun run(growth.scene(), {"physics.flow.sound_speed = " + std::to_string(speed)});
+  double largest = 0.0;
+  try {
+    for (int n = 1; n <= samples; ++n) {
+      run.run_to(growth.end * n / samples);
+      largest = std::max(largest, largest_compression(run));
+    }
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ExitCode::run_failed) << error.what();
+    return HUGE_VAL;
+  }
+  return largest;
+}
+
 class AdaptiveSound : public testing::TestWithParam<Growth> {};
 
 // Over a while as long as sound takes through the box, on average.
@@ -88,7 +106,6 @@ TEST_P(AdaptiveSound, KeepsTheDensityNearWhatWasAllowed) {
   run.run_to(growth.begin);
   double sum = 0.0;
   double most = 0.0;
-  constexpr int samples = 40;
   for (int n = 1; n <= samples; ++n) {
     run.run_to(growth.begin + n * (growth.end - growth.begin) / samples);
     sum += largest_compression(run) / samples;
@@ -97,23 +114,7 @@ TEST_P(AdaptiveSound, KeepsTheDensityNearWhatWasAllowed) {
   EXPECT_GT(sound_speed(run), 1.4 * at_start);
   EXPECT_LT(sum, 3.2 * allowed);
   EXPECT_LT(most, 12.0 * allowed);
-  // As it was: the sound of the start.
-  const std::string as_it_was = "physics.flow.sound_speed = " + std::to_string(at_start);
-  const auto worst = [&]() -> double {
-    CaseRun fixed(growth.scene(), {as_it_was});
-    double worst = 0.0;
-    try {
-      for (int n = 1; n <= samples; ++n) {
-        fixed.run_to(growth.end * n / samples);
-        worst = std::max(worst, largest_compression(fixed));
-      }
-    } catch (const Error& error) {
-      EXPECT_EQ(error.code(), ExitCode::run_failed) << error.what();
-      worst = HUGE_VAL;
-    }
-    return worst;
-  }();
-  EXPECT_GT(worst, 3.5 * allowed);
+  EXPECT_GT(largest_with_sound(growth, at_start), 3.5 * allowed);
 }
 
 INSTANTIATE_TEST_SUITE_P(All, AdaptiveSound,
@@ -168,7 +169,7 @@ TEST(AdaptedSound, LeavesThePressureAsItIs) {
     EXPECT_LT(error, (single ? 1e-6 : 1e-14) * slow * slow);
     // Steps follow.
     EXPECT_NEAR(run.stepper().next_step(1e6).seconds / without.stepper().next_step(1e6).seconds,
-                slow / sound_speed(run), 1e-9);
+                slow / sound_speed(run), 1e-8);
     run.run_steps(1);
     EXPECT_TRUE(run.stepper().changes().empty());
   }
