@@ -46,9 +46,9 @@ class Wcsph final : public Physics {
         .above(0)
         .doc(
             "c0; auto: 10 times the expected speed, stresses / (rho delta), and for free as high as the viscous step "
-            "allows. It rises, and steps get shorter, where the flow grows beyond what its start told: where the "
-            "largest |rho / rho0 - 1|, averaged over the time of sound through the box, exceeds 3 density_variation, "
-            "to where density_variation is left of it. A given c0, and c0 with a given time.step, stays");
+            "allows. It rises during a run, and steps get shorter, where the largest |rho / rho0 - 1| exceeds 3 times "
+            "density_variation on average over the time of sound through the box, or 10 times at any moment, or the "
+            "flow exceeds half of c0. A c0 that is given, or any with a given time.step, stays");
     list.number_or("expected_speed", expected_speed_, "auto")
         .unit("m/s")
         .at_least(0)
