@@ -18,8 +18,8 @@ namespace mesogen::wcsph {
 ///     1.5 to 2.5 delta);
 ///   where |c| exceeds 10 delta at any moment, so that half of that is left;
 ///   where the flow exceeds half of the sound, to four times the flow: a parallel one compresses nothing, and breaks.
-/// What breaks for another reason would drive the sound up for ever. So compression raises it to ten times that of the
-/// start, or twenty times the flow, at most, and the flow to a hundred times that of the start.
+/// What breaks for another reason would drive the sound up for ever. So compression raises it tenfold at most, beyond
+/// the start and the flow, and a flow that compresses the fluid by 10 delta or more does not count.
 class AdaptiveSound {
  public:
   /// `speed`: at the start, m/s. `density_variation`: delta. `length`: longest edge of the box, m.
@@ -54,14 +54,14 @@ class AdaptiveSound {
     needs(average, std::min(3.0 * delta_, 0.5 * broken), delta_);
     const double at_once = std::min(10.0 * delta_, 0.7 * broken);
     needs(compression, at_once, at_once / 2.0);
-    wanted = std::min(wanted, std::max(10.0 * initial_, 20.0 * fastest_));
-    if (fastest_ > speed() / 2.0) wanted = std::max(wanted, 4.0 * fastest_);
-    state_[next] = std::min(wanted, 100.0 * initial_);
+    double& by_flow = state_[flow];
+    if (fastest_ > speed() / 2.0 && compression < at_once) by_flow = 4.0 * fastest_;
+    state_[next] = std::max(by_flow, std::min(wanted, 10.0 * std::max(initial_, by_flow)));
     return change;
   }
 
   /// What checkpoints keep.
-  static constexpr std::size_t kept = 3;
+  static constexpr std::size_t kept = 4;
   [[nodiscard]] std::span<double> state() { return state_; }
 
   /// |c| at which a run is stopped.
@@ -72,6 +72,7 @@ class AdaptiveSound {
     risen,    ///< c0, m/s; 0: as at the start
     next,     ///< what it will be after the next step, m/s; 0 or c0: no other
     lasting,  ///< average of the largest |c|
+    flow,     ///< c0 that the speed of the flow asked for, m/s
   };
 
   std::string rise() {
