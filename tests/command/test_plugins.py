@@ -65,7 +65,7 @@ class Plugins(CommandTest):
         self.assertRegex(out, r"viscosity +number, in Pa s, > 0, required")
         self.assertRegex(out, r"adds to: .*acceleration")
         self.assertRegex(out, r"(?m)^plugin interface: \d+, built with (gcc|clang)-itanium")
-        self.assertIn("publishes the constants: automatic_sound_speed, density, sound_speed, viscosity\n", out)
+        self.assertIn("publishes the constants: automatic_sound_speed, density, density_variation, sound_speed, viscosity\n", out)
         self.assertIn("moves particles with: velocity, shift_velocity", out)
 
     def test_info_of_an_observer_tells_what_it_records(self):
@@ -111,7 +111,7 @@ class Plugins(CommandTest):
         self.assertEqual(first, {"name": "continuity", "phase": "rates", "reads": ["compression", "velocity_gradient"],
                                  "reads_neighbours": [], "reads_if_present": [],
                                  "writes": ["compression_midpoint", "density"], "accumulates": ["compression_rate"]})
-        self.assertEqual(told["constants"], ["automatic_sound_speed", "density", "sound_speed", "viscosity"])
+        self.assertEqual(told["constants"], ["automatic_sound_speed", "density", "density_variation", "sound_speed", "viscosity"])
         self.assertEqual(told["moves_particles"], {"velocity": "velocity", "shift": "shift_velocity"})
 
     def test_info_for_programs_of_an_observer_and_a_kernel(self):
