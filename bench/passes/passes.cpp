@@ -110,7 +110,7 @@ void fill_shift(Bed<Real>& bed, Pass& pass) {
 template <class Real, class Pass>
 void fill_momentum(Bed<Real>& bed, Pass& pass) {
   pass.volume = bed.volume;
-  pass.pressure_term = bed.source(1);
+  pass.pressure = bed.source(1);
   pass.density = bed.source(1);
   pass.correction = bed.source(4);
   pass.velocity = bed.source(2);

@@ -134,6 +134,10 @@ class Run {
         log_.warn(member.instance + " computes on the host, since '" + member.type +
                   "' has no code for CUDA: fields go there and back at every step");
   }
+  void tell_changes() {
+    for (const std::string& change : stepper_.changes())
+      log_.info(fmt::format("t = {} {}, {}", rounded_text(stepper_.world().time), setup_.source.units.time, change));
+  }
   [[nodiscard]] bool stopped() const { return options_.stop != nullptr && options_.stop->load(); }
 
   [[nodiscard]] Checkpoint checkpoint() {
@@ -211,6 +215,7 @@ class Run {
         const bool last = step.arrival >= end();
         const auto due = observation_.due(from, step.arrival, world.step + 1, false);
         stepper_.advance(step, last ? everybody() : due);
+        tell_changes();
         observation_.observe(due, results);
         progress_.update(world.time, world.step);
         if (kept_.due(from, world.time)) keep_checkpoint();

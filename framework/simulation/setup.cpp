@@ -212,16 +212,7 @@ void SetupBuilder::describe_scene() {
   for_each_physics([&](const Setup::PhysicsMember& member) {
     call_plugin(member.type, "constants()", [&] { member.plugin->constants(scene.constants); });
   });
-  for_each_physics([&](const Setup::PhysicsMember& member) {
-    call_plugin(member.type, "step_limits()", [&] {
-      member.plugin->step_limits(scene, setup_.limits);
-      for (const auto& limit : setup_.limits.all())
-        if (!(limit.seconds > 0.0))
-          throw Error(ExitCode::plugin_refused, "the limit on the step \"" + limit.name + "\" is " +
-                                                    rounded_text(limit.seconds) + " " + source_.units.time +
-                                                    ": it must be above 0");
-    });
-  });
+  for_each_physics([&](const Setup::PhysicsMember& member) { add_step_limits(member, setup_, setup_.limits); });
 }
 
 // Of a boundary that refused its parameters nothing more is asked.
@@ -314,6 +305,17 @@ void SetupBuilder::put_together() {
 }
 
 }  // namespace
+
+void add_step_limits(const Setup::PhysicsMember& member, const Setup& setup, StepLimits& limits) {
+  call_plugin(member.type, "step_limits()", [&] {
+    member.plugin->step_limits(setup.scene, limits);
+    for (const auto& limit : limits.all())
+      if (!(limit.seconds > 0.0))
+        throw Error(ExitCode::plugin_refused, "the limit on the step \"" + limit.name + "\" is " +
+                                                  rounded_text(limit.seconds) + " " + setup.source.units.time +
+                                                  ": it must be above 0");
+  });
+}
 
 std::unique_ptr<Setup> set_up(Case source, const PluginRegistry& registry, Problems& problems,
                               const SetupAdditions& additions) {

@@ -56,6 +56,9 @@ struct MESOGEN_EXPORT Setup {
   std::string instruction_sets;
 };
 
+/// Asks a plugin for its limits on the step. Throws Error(plugin_refused) if one is not above 0.
+void add_step_limits(const Setup::PhysicsMember& member, const Setup& setup, StepLimits& limits);
+
 /// What a test of a plugin puts into a scene beside its case, so that one plugin can be run without those it works
 /// with.
 struct SetupAdditions {

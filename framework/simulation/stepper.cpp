@@ -65,7 +65,8 @@ Stepper::Stepper(Setup& setup)
       executor_(world_, *setup.graph, *derived_),
       integrator_(world_, setup.catalogue, setup.graph->transport(), time_scheme(setup.source.time.scheme)),
       control_(setup.scene, setup.limits, setup.source.time.step, setup.source.time.factor),
-      guard_(world_, setup.catalogue, *setup.graph, integrator_, control_) {
+      guard_(world_, setup.catalogue, *setup.graph, integrator_, control_),
+      watches_(setup, world_, integrator_) {
   world_.units = setup.source.units;
   set_initial_fields();
 }
@@ -142,11 +143,19 @@ void Stepper::advance(const Step& step, const std::vector<bool>& reader_due) {
   world_.time = step.arrival;
   ++world_.step;
   timed(guarding_, [&] { guard_.check(motion_); });
+  changes_ = watches_.look();
+  if (!changes_.empty()) ask_limits();
   executor_.run(Phase::end, reader_due);
   if (integrator_.velocity_by_passes()) {
     timed(integration_, [&] { integrator_.look(step_size, motion_); });
     guard_.check_finite(motion_);
   }
+}
+
+void Stepper::ask_limits() {
+  StepLimits limits;
+  for (const auto& member : setup_.physics) add_step_limits(member, setup_, limits);
+  control_.set_limits(std::move(limits));
 }
 
 void Stepper::keep_order() {
@@ -242,6 +251,7 @@ void Stepper::restore(const Checkpoint& checkpoint) {
       std::copy(numbers.begin(), numbers.end(), numbers_of(member, kept).begin());
     }
   }
+  ask_limits();
   sorted_alike ? world_.restore_order(sorted) : world_.sort_anew();
   motion_.fastest = integrator_.fastest();
   motion_.largest_acceleration = integrator_.velocity_by_passes()

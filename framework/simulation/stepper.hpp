@@ -11,6 +11,7 @@
 #include "schedule/world.hpp"
 #include "simulation/guard.hpp"
 #include "simulation/setup.hpp"
+#include "simulation/watches.hpp"
 #include "time/integrator.hpp"
 #include "time/step_control.hpp"
 
@@ -37,6 +38,8 @@ class MESOGEN_EXPORT Stepper {
 
   [[nodiscard]] World& world() { return world_; }
   [[nodiscard]] Executor& executor() { return executor_; }
+  /// What plugins changed of themselves after the last step, for the log.
+  [[nodiscard]] const std::vector<std::string>& changes() const { return changes_; }
   /// Largest speed after the last step, m/s.
   [[nodiscard]] double fastest() const { return motion_.fastest; }
   [[nodiscard]] const StepControl& control() const { return control_; }
@@ -52,6 +55,7 @@ class MESOGEN_EXPORT Stepper {
   void add_fields();
   void set_initial_fields();
   void keep_order();
+  void ask_limits();
   [[nodiscard]] double arrival_after(double step_size) const;
 
   Setup& setup_;
@@ -61,6 +65,8 @@ class MESOGEN_EXPORT Stepper {
   Integrator integrator_;
   StepControl control_;
   Guard guard_;
+  Watches watches_;
+  std::vector<std::string> changes_;
   Motion motion_;
   Counter whole_{"framework: step"};
   Counter integration_{"framework: integration"};

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 
 namespace mesogen {
 
@@ -135,6 +136,7 @@ Motion Integrator::correct(double step_size) {
     const double value = std::sqrt(backend.found(largest[n]));
     const double rate = std::sqrt(backend.found(largest[n].next()));
     motion.finite = motion.finite && std::isfinite(value) && std::isfinite(rate);
+    advanced_[n].largest = value;
     if (advanced_[n].field != velocity_) continue;
     motion.fastest = value;
     motion.largest_acceleration = rate;
@@ -161,6 +163,12 @@ void Integrator::look(double step_size, Motion& motion) const {
 
 double Integrator::largest_acceleration() const {
   return largest_length(world_.backend, acceleration_ == nullptr ? drive_ : acceleration_, world_.particles.count());
+}
+
+double Integrator::largest(std::string_view field) const {
+  for (const Advanced& one : advanced_)
+    if (one.field->name() == field) return one.largest;
+  throw std::logic_error("'" + std::string(field) + "' is not advanced");
 }
 
 double Integrator::fastest() const { return largest_length(world_.backend, velocity_, world_.particles.count()); }

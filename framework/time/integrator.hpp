@@ -57,6 +57,8 @@ class MESOGEN_EXPORT Integrator {
   /// The fluid's, and its rate; null if nothing flows.
   [[nodiscard]] const Field* velocity() const { return velocity_; }
   [[nodiscard]] const Field* acceleration() const { return acceleration_; }
+  /// The largest length of an advanced field that the last step left.
+  [[nodiscard]] double largest(std::string_view field) const;
 
   /// An advanced field and particle that is not finite, for the error; empty if all are.
   struct Bad {
@@ -71,6 +73,7 @@ class MESOGEN_EXPORT Integrator {
     Field* rate;
     bool predicted;
     Field* start;  // with TimeScheme::midpoint: a predicted field at the start of the step
+    double largest = 0.0;
   };
   // f = from + by * rate; see Loops::advance for what is found.
   template <class Real>

@@ -10,7 +10,8 @@ StepControl::StepControl(const Scene& scene, StepLimits limits, std::optional<do
       smoothing_length_(scene.smoothing_length),
       limits_(std::move(limits)),
       fixed_(fixed),
-      factor_(factor) {}
+      factor_(factor),
+      at_rest_(choose(0.0, 0.0).seconds) {}
 
 StepControl::Choice StepControl::choose(double fastest, double largest_acceleration) const {
   if (fixed_) return {*fixed_, "time.step of the case"};

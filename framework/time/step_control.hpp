@@ -20,9 +20,11 @@ class MESOGEN_EXPORT StepControl {
     std::string limit;  ///< what binds
   };
   [[nodiscard]] Choice choose(double fastest, double largest_acceleration) const;
-  /// What the plugins' limits alone allow, s; infinite if there are none.
-  [[nodiscard]] double at_rest() const { return choose(0.0, 0.0).seconds; }
-  /// All limits that stay the same over the run.
+  /// What the plugins' limits alone allow at the start of the run, s; infinite if there are none.
+  [[nodiscard]] double at_rest() const { return at_rest_; }
+  /// Those of plugins that have adapted their numerics.
+  void set_limits(StepLimits limits) { limits_ = std::move(limits); }
+  /// The plugins'.
   [[nodiscard]] const StepLimits& limits() const { return limits_; }
   [[nodiscard]] bool fixed() const { return fixed_.has_value(); }
 
@@ -32,6 +34,7 @@ class MESOGEN_EXPORT StepControl {
   StepLimits limits_;
   std::optional<double> fixed_;
   double factor_;
+  double at_rest_;
 };
 
 }  // namespace mesogen

@@ -61,6 +61,14 @@ class Misbehaving final : public Physics {
       list.pass("work").reads({"unheard_of"}).writes({"good"});
     } else if (misdeed_ == "reads what nobody writes") {
       list.pass("work").reads({"bad"}).accumulates({"acceleration"});
+    } else if (misdeed_ == "watch throws") {
+      list.field("clock", Rank::scalar).advanced_by("pace").watched_by([this](double, double) {
+        if (late_) fail_if("watch throws");
+        return std::string();
+      });
+      list.field("pace", Rank::scalar);
+      list.pass("work").accumulates({"pace"}).run(
+          [this](const PassContext& context) { late_ = context.time() >= after_; });
     } else {
       list.pass("work").reads({"velocity"}).accumulates({"acceleration"}).run([this](const PassContext& context) {
         if (context.time() >= after_) work(context);
@@ -90,6 +98,7 @@ class Misbehaving final : public Physics {
     if (misdeed_ == "neighbours in another precision") (void)context.neighbours<Other, Dim>();
   }
 
+  bool late_ = false;
   std::string misdeed_;
   double after_ = 0.0;
 };

@@ -223,6 +223,10 @@ class InARun(CommandTest):
             with self.subTest(misdeed):
                 self.run_fails(code, misdeed, where + re.escape(text))
 
+    def test_what_a_watch_throws(self):
+        self.run_fails(1, "watch throws", r'physics\.bad \(plugin "misbehaving"\), watch of "clock" at step \d+, '
+                                          r't = 0\.06\d* s failed: cannot do "watch throws"')
+
     def test_memory_is_no_fault_of_the_plugin(self):
         self.run_fails(1, "pass needs too much memory", "there is not enough memory; take fewer particles, or single "
                                                         "precision")

@@ -1,6 +1,7 @@
 // A uniform force density f on the fluid: gravity, or the pressure gradient that drives a channel.
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "mesogen/plugin/physics.hpp"
@@ -26,6 +27,12 @@ class BodyForce final : public Physics {
  public:
   void parameters(ParameterList& list) override {
     list.numbers("force", force_).sizes({Dim}).unit("N/m3").required().doc("f: force density along each axis");
+  }
+
+  // Against a wall it is pressure.
+  void scales(const Scene& scene, Scales& scales) const override {
+    for (std::size_t d = 0; d < force_.size(); ++d)
+      if (!scene.periodic.at(d)) scales.stress = std::max(scales.stress, std::abs(force_[d]) * scene.box.at(d));
   }
 
   void passes(PassList& list) override {

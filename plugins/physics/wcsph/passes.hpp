@@ -137,21 +137,48 @@ struct Shift {
   }
 };
 
-/// Tait: p = rho0 c0^2 / 7 ((1 + c)^7 - 1), expanded so that nothing cancels; and p / rho^2 for the pair sum.
+/// Tait: ((1 + c)^7 - 1) / 7, the pressure over rho0 c0^2, expanded so that nothing cancels.
+template <class Real>
+MESOGEN_HOST_DEVICE Real tait(Real c) {
+  return c * (Real(1) + c * (Real(3) + c * (Real(5) + c * (Real(5) + c * (Real(3) + c * (Real(1) + c / Real(7)))))));
+}
+
+/// The pressure; and p / rho^2 where somebody sums that.
 template <class Real>
 struct EquationOfState {
   FieldView<const Real> compression;
-  FieldView<Real> pressure, pressure_term;
-  Real stiffness;  // rho0 c0^2
+  FieldView<Real> pressure;
+  FieldView<Real> over_density_squared;  // may be empty
+  Real stiffness;                        // rho0 c0^2
   Real reference_density;
 
   MESOGEN_HOST_DEVICE void operator()(Index i) const {
     const Real c = compression(i);
-    const Real series =
-        c * (Real(1) + c * (Real(3) + c * (Real(5) + c * (Real(5) + c * (Real(3) + c * (Real(1) + c / Real(7)))))));
+    pressure(i) = stiffness * tait(c);
+    if (!over_density_squared) return;
     const Real rho = reference_density * (Real(1) + c);
-    pressure(i) = stiffness * series;
-    pressure_term(i) = pressure(i) / (rho * rho);
+    over_density_squared(i) = pressure(i) / (rho * rho);
+  }
+};
+
+/// Makes the compression that a step leaves smaller, for a sound that is faster from then on, so that the pressure
+/// stays as it is: tait(c') = softening tait(c).
+template <class Real>
+struct SoftenCompression {
+  FieldView<const Real> compression;
+  FieldView<Real> rate;
+  double softening;
+  double step_size;
+
+  MESOGEN_HOST_DEVICE void operator()(Index i) const {
+    const double left = static_cast<double>(compression(i)) + step_size * static_cast<double>(rate(i));
+    const double wanted = softening * tait(left);
+    double soft = softening * left;
+    for (int n = 0; n < 4; ++n) {  // Newton's method: tait'(c) = (1 + c)^6
+      const double cube = (1.0 + soft) * (1.0 + soft) * (1.0 + soft);
+      soft -= (tait(soft) - wanted) / (cube * cube);
+    }
+    rate(i) += static_cast<Real>((soft - left) / step_size);
   }
 };
 
@@ -173,25 +200,27 @@ struct InternalEnergy {
 
 /// Acceleration by pressure and viscosity.
 ///
-/// Pressure: -rho_i sum_j V_j (p_i / rho_i^2 + p_j / rho_j^2) B_i grad W_ij, exact for linear p where B is the
-/// correction; `Conservative`: -sum_j m (p_i / rho_i^2 + p_j / rho_j^2) grad W_ij, which gives two particles opposite
-/// forces. Viscosity: mu/rho lap u (component-wise), or with `Radial` (Monaghan & Gingold 1983) 8 mu/rho sum_j V_j
-/// (u_ij . r_ij) / r_ij^2 B_i grad W_ij.
+/// Pressure: -1 / rho_i sum_j V_j (p_j - p_i) B_i grad W_ij, exact for linear p where B is the correction. A uniform
+/// pressure moves nothing: with the sum p_i + p_j in place of the difference it does where particles lie unevenly, and
+/// a closed box never comes to rest. `Conservative`: -sum_j m (p_i / rho_i^2 + p_j / rho_j^2) grad W_ij, which gives
+/// two particles opposite forces. Viscosity: mu/rho lap u (component-wise), or with `Radial` (Monaghan & Gingold 1983)
+/// 8 mu/rho sum_j V_j (u_ij . r_ij) / r_ij^2 B_i grad W_ij.
 template <class Real, int Dim, bool Radial, bool Conservative>
 struct Momentum {
   static constexpr int sum_count = Radial ? 2 * Dim : Dim;
-  FieldView<const Real> volume, pressure_term, density, correction, velocity;
+  FieldView<const Real> pressure;  // p / rho^2 with Conservative
+  FieldView<const Real> volume, density, correction, velocity;
   FieldView<const Real> velocity_laplacian;  // empty with Radial
   FieldView<Real> acceleration;
   Real viscosity;
   Real mass;  // of a particle
 
   struct Own {
-    Real pressure_term;
+    Real pressure;
     Real velocity[Dim];
   };
   MESOGEN_HOST_DEVICE Own load(Index i) const {
-    Own own{pressure_term(i), {}};
+    Own own{pressure(i), {}};
     if constexpr (Radial)
       for (int d = 0; d < Dim; ++d) own.velocity[d] = velocity(d, i);
     return own;
@@ -201,7 +230,8 @@ struct Momentum {
   [[gnu::always_inline]] MESOGEN_HOST_DEVICE void pair(const Own& own, const Pair& p, Lane* sum) const {
     const Lane slope = p.gradient();
     const Lane g = p.load(volume) * slope;
-    const Lane push = (Conservative ? slope : g) * (p.load(pressure_term) + Lane(own.pressure_term));
+    const Lane other = p.load(pressure);
+    const Lane push = Conservative ? slope * (other + Lane(own.pressure)) : g * (other - Lane(own.pressure));
     exec::unroll<Dim>([&](auto d) { sum[d] = sum[d] + push * p.separation[d]; });
     if constexpr (Radial) {
       Lane approach(Real(0));
@@ -216,7 +246,7 @@ struct Momentum {
     const Real rho = density(i);
     Real corrected[Dim] = {};  // what the correction is to be applied to
     for (int d = 0; d < Dim; ++d) {
-      if constexpr (!Conservative) corrected[d] -= rho * sum[d];
+      if constexpr (!Conservative) corrected[d] -= sum[d] / rho;
       if constexpr (Radial) corrected[d] += Real(8) * viscosity / rho * sum[Dim + d];
     }
     for (int a = 0; a < Dim; ++a) {

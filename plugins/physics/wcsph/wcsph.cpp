@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 
+#include "adaptive_sound.hpp"
 #include "creeping.hpp"
 #include "mesogen/diagnostics/error.hpp"
 #include "mesogen/plugin/physics.hpp"
@@ -45,7 +46,9 @@ class Wcsph final : public Physics {
         .above(0)
         .doc(
             "c0; auto: 10 times the expected speed, stresses / (rho delta), and for free as high as the viscous step "
-            "allows");
+            "allows. It rises during a run, and steps get shorter, where the largest |rho / rho0 - 1| exceeds 3 times "
+            "density_variation on average over the time of sound through the box, or 10 times at any moment, or the "
+            "flow exceeds half of c0. A c0 that is given, or any with a given time.step, stays");
     list.number_or("expected_speed", expected_speed_, "auto")
         .unit("m/s")
         .at_least(0)
@@ -58,8 +61,9 @@ class Wcsph final : public Physics {
     list.text("pressure_form", pressure_form_)
         .choices({"corrected", "conservative"})
         .doc(
-            "pressure gradient exact for linear pressures, or with opposite forces on two particles: no momentum "
-            "drift");
+            "pressure gradient exact for linear pressures, so that a uniform one moves nothing; or with opposite "
+            "forces "
+            "on two particles: no momentum drift");
     list.number("density_diffusion", diffusion_)
         .unit("1")
         .at_least(0)
@@ -102,7 +106,7 @@ class Wcsph final : public Physics {
     if (!inertia_) constants["physical_density"] = physical_density_;
     if (!inertia_) constants["relaxation_ratio"] = relaxation_ratio_;
     if (std::isfinite(creeping_density_)) constants["creeping_density"] = creeping_density_;
-    constants["sound_speed"] = c0_;
+    constants["sound_speed"] = sound_.speed();
     constants["automatic_sound_speed"] = automatic_sound_speed_;
   }
 
@@ -117,8 +121,9 @@ class Wcsph final : public Physics {
     const double needed = wcsph::needed_sound_speed({density_, viscosity_, density_variation_}, scene.scales, length);
     const double free = 0.25 * scene.smoothing_length / viscous_step(scene);
     automatic_sound_speed_ = std::max(needed, free);
-    c0_ = sound_speed_.value_or(automatic_sound_speed_);
-    diffusivity_ = diffusion_ * scene.smoothing_length * c0_;
+    const double longest = *std::max_element(scene.box.begin(), scene.box.begin() + Dim);
+    sound_.start(sound_speed_.value_or(automatic_sound_speed_), density_variation_, longest, !sound_speed_);
+    smoothing_length_ = scene.smoothing_length;
     mass_ = density_ * std::pow(scene.spacing, Dim);
   }
 
@@ -136,15 +141,7 @@ class Wcsph final : public Physics {
     if (diffusion_ > 0.0 && !together) density_diffusion(list);
     if (shifts && !together) shift_speed_ == "spread" ? shift<true>(list) : shift<false>(list);
     const std::string compression = filters ? "compression_filtered" : "compression_midpoint";
-    list.pass("equation of state")
-        .reads({compression})
-        .writes({"pressure", "pressure_term"})
-        .run([this, compression](const PassContext& context) {
-          exec::for_each(context.space(), context.count(),
-                         wcsph::EquationOfState<Real>{context.read<Real>(compression), context.write<Real>("pressure"),
-                                                      context.write<Real>("pressure_term"), Real(density_ * c0_ * c0_),
-                                                      Real(density_)});
-        });
+    equation_of_state(list, compression);
     if (together) {
       all_together(list);
     } else if (viscosity_form_ == "component") {
@@ -156,10 +153,9 @@ class Wcsph final : public Physics {
         .reads({"compression"})
         .writes({"internal_energy"})
         .run([this](const PassContext& context) {
-          exec::for_each(
-              context.space(), context.count(),
-              wcsph::InternalEnergy<Real>{context.read<Real>("compression"), context.write<Real>("internal_energy"),
-                                          Real(density_ * c0_ * c0_)});
+          exec::for_each(context.space(), context.count(),
+                         wcsph::InternalEnergy<Real>{context.read<Real>("compression"),
+                                                     context.write<Real>("internal_energy"), Real(stiffness())});
         });
     if (filters && feedback_) {
       list.pass("filter feedback")
@@ -173,6 +169,7 @@ class Wcsph final : public Physics {
                                context.write<Real>("compression_rate"), Real(dt > 0.0 ? 1.0 / dt : 0.0)});
           });
     }
+    faster_sound(list);
   }
 
   void step_limits(const Scene& scene, StepLimits& limits) const override {
@@ -201,24 +198,33 @@ class Wcsph final : public Physics {
     density_ = inertia_ ? physical_density_ : creeping_density_;
   }
 
-  [[nodiscard]] double sound_step(const Scene& scene) const { return 0.25 * scene.smoothing_length / c0_; }
+  [[nodiscard]] double sound_step(const Scene& scene) const { return 0.25 * scene.smoothing_length / sound_.speed(); }
+  [[nodiscard]] double stiffness() const { return density_ * sound_.speed() * sound_.speed(); }
   // The radial form takes up to 3.3 times as much from the shortest waves as the Laplacian of the components.
   [[nodiscard]] double viscous_step(const Scene& scene) const {
     return scene.diffusion_step * density_ / viscosity_ / (viscosity_form_ == "component" ? 1.0 : 4.0);
   }
 
-  static void fields(PassList& list) {
-    list.field("velocity", Rank::vector).unit("m/s").doc("u").predicted_by("acceleration");
+  void fields(PassList& list) {
+    list.field("velocity", Rank::vector)
+        .unit("m/s")
+        .doc("u")
+        .predicted_by("acceleration")
+        .watched_by([this](double fastest, double) {
+          sound_.flows_at(fastest);
+          return std::string();
+        });
     list.field("acceleration", Rank::vector).unit("m/s2").doc("Du/Dt; others may add to it");
     // Far beyond what even a badly chosen sound speed gives: the fluid is no longer weakly compressible.
     list.field("compression", Rank::scalar)
         .doc("rho / rho0 - 1; a run in which it leaves -0.3 to 0.3 is stopped")
         .advanced_by("compression_rate")
+        .watched_by([this](double largest, double step_size) { return sound_.after_step(largest, step_size); })
         .stays_within(
-            -0.3, 0.3,
-            "If the flow is faster than a tenth of the sound, raise sound_speed (or expected_speed, where that is "
-            "\"auto\"); else leave the shift on, density_filter at 0 and time.scheme at \"midpoint\", or take a "
-            "smaller step (time.factor = 0.5)");
+            -wcsph::AdaptiveSound::broken, wcsph::AdaptiveSound::broken,
+            "If the flow is faster than a tenth of the sound, leave sound_speed and time.step at \"auto\", where the "
+            "sound adapts, or raise sound_speed; else leave the shift on, density_filter at 0 and time.scheme at "
+            "\"midpoint\", or take a smaller step (time.factor = 0.5)");
     list.field("compression_rate", Rank::scalar).unit("1/s").doc("D(rho / rho0)/Dt");
     list.field("compression_midpoint", Rank::scalar).doc("rho / rho0 - 1 at the midpoint of the step");
     list.field("compression_filtered", Rank::scalar).doc("the same after the density filter");
@@ -226,10 +232,11 @@ class Wcsph final : public Physics {
         .unit("kg/m3")
         .doc("rho at the midpoint of the step; with inertia = false about the artificial one");
     list.field("pressure", Rank::scalar).unit("Pa").doc("p at the midpoint of the step");
-    list.field("pressure_term", Rank::scalar).unit("Pa m6/kg2").doc("p / rho^2");
     list.field("internal_energy", Rank::scalar)
         .unit("J/m3")
-        .doc("energy stored by compression, per volume at rest: rho0 times the integral of p / rho^2 over rho");
+        .doc(
+            "energy stored by compression, per volume at rest: rho0 times the integral of p / rho^2 over rho. A replay "
+            "makes it with the sound of the start");
     list.field("shift_velocity", Rank::vector).unit("m/s").doc("artificial displacement per time");
   }
 
@@ -251,6 +258,24 @@ class Wcsph final : public Physics {
         });
   }
 
+  void equation_of_state(PassList& list, const std::string& compression) {
+    const bool conserves = pressure_form_ == "conservative";
+    Pass& pass = list.pass("equation of state").reads({compression}).writes({"pressure"});
+    if (conserves) {
+      list.field("pressure_over_density_squared", Rank::scalar).unit("Pa m6/kg2").doc("p / rho^2");
+      pass.writes({"pressure_over_density_squared"});
+    }
+    pass.run([this, compression, conserves](const PassContext& context) {
+      wcsph::EquationOfState<Real> state{};
+      state.compression = context.read<Real>(compression);
+      state.pressure = context.write<Real>("pressure");
+      if (conserves) state.over_density_squared = context.write<Real>("pressure_over_density_squared");
+      state.stiffness = Real(stiffness());
+      state.reference_density = Real(density_);
+      exec::for_each(context.space(), context.count(), state);
+    });
+  }
+
   void density_filter(PassList& list) {
     list.pass("density filter")
         .reads_neighbours({"compression_midpoint"})
@@ -259,6 +284,22 @@ class Wcsph final : public Physics {
           sph::pair_sum(context.space(), context.neighbours<Real, Dim>(), context.kernel(),
                         wcsph::DensityFilter<Real>{context.read<Real>("compression_midpoint"),
                                                    context.write<Real>("compression_filtered"), Real(filter_)});
+        });
+  }
+
+  // Hardly ever does it do anything.
+  void faster_sound(PassList& list) {
+    list.keep("sound", wcsph::AdaptiveSound::kept, [this] { return sound_.state(); });
+    list.pass("faster sound")
+        .reads({"compression"})
+        .accumulates({"compression_rate"})
+        .run([this](const PassContext& context) {
+          const double softening = sound_.softening();
+          if (!(softening < 1.0) || !(context.step_size() > 0.0)) return;
+          exec::for_each(
+              context.space(), context.count(),
+              wcsph::SoftenCompression<Real>{context.read<Real>("compression"), context.write<Real>("compression_rate"),
+                                             softening, context.step_size()});
         });
   }
 
@@ -271,7 +312,7 @@ class Wcsph final : public Physics {
 
   template <bool Radial, bool Conservative>
   void momentum(PassList& list) {
-    declare_momentum<Radial>(list.pass("pressure and viscosity")).run([this](const PassContext& context) {
+    declare_momentum<Radial, Conservative>(list.pass("pressure and viscosity")).run([this](const PassContext& context) {
       sph::pair_sum(context.space(), context.neighbours<Real, Dim>(), context.kernel(),
                     momentum_sums<Radial, Conservative>(context));
     });
@@ -287,7 +328,7 @@ class Wcsph final : public Physics {
     Pass& pass = list.pass("pressure, viscosity, shift and density diffusion");
     declare_shift<false>(pass);
     declare_diffusion(pass);
-    declare_momentum<false>(pass).run([this](const PassContext& context) {
+    declare_momentum<false, false>(pass).run([this](const PassContext& context) {
       using Shift = wcsph::Shift<Real, Dim, false>;
       using Momentum = wcsph::Momentum<Real, Dim, false, false>;
       using Diffusion = wcsph::DensityDiffusion<Real>;
@@ -303,8 +344,11 @@ class Wcsph final : public Physics {
 
   wcsph::DensityDiffusion<Real> diffusion_sums(const PassContext& context) const {
     return {context.read<Real>("volume"), context.read<Real>("compression_midpoint"),
-            context.write<Real>("compression_rate"), Real(diffusivity_)};
+            context.write<Real>("compression_rate"), Real(diffusion_ * smoothing_length_ * sound_.speed())};
   }
+
+  template <bool Conservative>
+  static constexpr const char* summed_pressure = Conservative ? "pressure_over_density_squared" : "pressure";
 
   template <bool BySpread>
   static Pass& declare_shift(Pass& pass) {
@@ -326,9 +370,11 @@ class Wcsph final : public Physics {
     return sums;
   }
 
-  template <bool Radial>
+  template <bool Radial, bool Conservative>
   static Pass& declare_momentum(Pass& pass) {
-    pass.reads({"density", "correction"}).reads_neighbours({"pressure_term", "volume"}).accumulates({"acceleration"});
+    pass.reads({"density", "correction"})
+        .reads_neighbours({summed_pressure<Conservative>, "volume"})
+        .accumulates({"acceleration"});
     return Radial ? pass.reads_neighbours({"velocity"}) : pass.reads({"velocity_laplacian"});
   }
 
@@ -336,7 +382,7 @@ class Wcsph final : public Physics {
   wcsph::Momentum<Real, Dim, Radial, Conservative> momentum_sums(const PassContext& context) const {
     wcsph::Momentum<Real, Dim, Radial, Conservative> sums{};
     sums.volume = context.read<Real>("volume");
-    sums.pressure_term = context.read<Real>("pressure_term");
+    sums.pressure = context.read<Real>(summed_pressure<Conservative>);
     sums.density = context.read<Real>("density");
     sums.correction = context.read<Real>("correction");
     if constexpr (Radial) {
@@ -367,10 +413,10 @@ class Wcsph final : public Physics {
   double shift_ = 0.3;
   std::string shift_speed_ = "strain";
   std::string motion_ = "lagrangian";
-  double c0_ = 0.0;
+  wcsph::AdaptiveSound sound_;
   double automatic_sound_speed_ = 0.0;
-  double diffusivity_ = 0.0;  // of the density, m2/s
-  double mass_ = 0.0;         // of a particle, kg/m in 2D
+  double smoothing_length_ = 0.0;  // h, m
+  double mass_ = 0.0;              // of a particle, kg/m in 2D
 };
 
 }  // namespace

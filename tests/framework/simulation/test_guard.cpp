@@ -132,9 +132,9 @@ TEST(Guard, BoundsOfAFieldAreThoseOfItsPlugin) {
           "the run broke down: 'compression' is " + std::string(value < 0 ? "-" : "") +
               "0\\.3[45][0-9]* at particle 123" + somewhere +
               R"(, outside -0\.3 to 0\.3, at t = 5e-06 s \(step 5, step size 1e-06 s\)\. )"
-              R"(If the flow is faster than a tenth of the sound, raise sound_speed \(or expected_speed, where that )"
-              R"(is "auto"\); else leave the shift on, density_filter at 0 and time\.scheme at "midpoint", or )"
-              R"(take a smaller step )"
+              R"(If the flow is faster than a tenth of the sound, leave sound_speed and time\.step at "auto", where )"
+              R"(the sound adapts, or raise sound_speed; else leave the shift on, density_filter at 0 and )"
+              R"(time\.scheme at "midpoint", or take a smaller step )"
               R"(\(time\.factor = 0\.5\); )"
               "the frames before are kept");
     }

@@ -57,6 +57,18 @@ TEST(StepControl, StepOfTheCaseIsTakenAsItIs) {
   EXPECT_TRUE(control.fixed());
 }
 
+// The guard goes by what the start allowed.
+TEST(StepControl, LimitsChangeWithThePlugins) {
+  StepControl control(scene(), two_limits(), {}, 0.5);
+  StepLimits faster;
+  faster.add("sound", 0.004);
+  control.set_limits(faster);
+  const auto choice = control.choose(0.0, 0.0);
+  EXPECT_EQ(choice.seconds, 0.002);
+  EXPECT_EQ(choice.limit, "sound");
+  EXPECT_EQ(control.at_rest(), 0.005);
+}
+
 TEST(StepControl, NothingLimitsASceneAtRestWithoutPlugins) {
   const auto choice = StepControl(scene(), {}, {}, 1.0).choose(0.0, 0.0);
   EXPECT_EQ(choice.seconds, std::numeric_limits<double>::infinity());

@@ -62,6 +62,10 @@ struct FieldBounds {
   std::string remedy;  ///< a sentence without its stop: "Raise sound_speed"
 };
 
+/// What a plugin does after each step, given the largest length that a field has then and the step, s. Returns what it
+/// changed, for the log: "sound_speed rises from 2 to 4"; empty: nothing.
+using Watch = std::function<std::string(double largest, double step_size)>;
+
 /// Does the framework advance it, with a rate?
 constexpr bool has_rate(Advance advance) { return advance == Advance::midpoint || advance == Advance::predicted; }
 
@@ -74,6 +78,7 @@ struct MESOGEN_EXPORT FieldDeclaration {
   Advance advance = Advance::never;
   std::string rate;                   ///< field that holds its rate of change
   std::optional<FieldBounds> bounds;  ///< see stays_within
+  Watch watch;                        ///< see watched_by
 
   FieldDeclaration& unit(std::string_view text);
   FieldDeclaration& doc(std::string_view text);
@@ -87,6 +92,13 @@ struct MESOGEN_EXPORT FieldDeclaration {
   /// meets them.
   FieldDeclaration& stays_within(double lowest, double highest, std::string_view remedy) {
     bounds = FieldBounds{lowest, highest, std::string(remedy)};
+    return *this;
+  }
+  /// For an advanced field, and a plugin that adapts its numerics to it while the run goes on. What the function
+  /// changes must be kept (PassList::keep), and step_limits() is asked again where it changed something. It is not
+  /// called where the case gives the step, which could not follow.
+  FieldDeclaration& watched_by(Watch function) {
+    watch = std::move(function);
     return *this;
   }
 };

@@ -38,7 +38,8 @@ class MESOGEN_EXPORT Physics {
   virtual void prepare(const Scene& scene);
   /// Names fields and passes; may depend on parameters. Also called with default parameters, for `plugin info`.
   virtual void passes(PassList& list) = 0;
-  /// Limits on the step that stay the same over the run.
+  /// Limits on the step that stay the same over the run, or until a watch changes something: see
+  /// FieldDeclaration::watched_by.
   virtual void step_limits(const Scene& scene, StepLimits& limits) const;
   /// What it takes beside its fields, bytes, about: for the forecast of a run. It takes it no earlier than its passes
   /// run.

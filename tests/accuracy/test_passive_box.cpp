@@ -1,0 +1,77 @@
+// A passive nematic whose elasticity acts on a weakly compressible flow, between walls: energy only falls, and the
+// fluid comes to rest.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "case_run.hpp"
+
+namespace {
+
+using namespace mesogen;
+using namespace mesogen::test;
+
+/// Closed, planar walls; cores of `core` spacings.
+CaseText closed_box(double length, int across, double core, double viscosity, double rotational_diffusivity) {
+  const double spacing = length / across;
+  CaseText text(length, across);
+  const std::string edge = std::to_string(length);
+  text.section("domain", "size = [" + edge + ", " + edge +
+                             "]\nboundary = { type = \"walls\", axes = [\"x\", \"y\"], anchoring = \"planar\" }");
+  text.flow(viscosity)
+      .nematic(rotational_diffusivity, 0.7, core * core * spacing * spacing)
+      .section("physics.elasticity", "type = \"elastic_stress\"");
+  return text;
+}
+
+// The whole of two walls holds the director across that of the fluid. A shift that leaves particles what they carry
+// raises the energy by a fourth here.
+TEST(PassiveBox, EnergyFallsBesideWallsThatHoldAnotherDirector) {
+  CaseText text = closed_box(1.0, 16, 2.5, 0.1, 1.0);
+  text.section("director", "type = \"uniform\"\nangle = 0.3")
+      .read(
+          "\"velocity\", \"density\", \"internal_energy\", \"order_tensor\", \"elastic_energy\", "
+          "\"order_tensor_gradient\", "
+          "\"velocity_gradient\", \"volume\"");
+  CaseRun run(text);
+  const auto energy = [&] {
+    return run.observe("flow_statistics", "kinetic_energy") + run.observe("flow_statistics", "compression_energy") +
+           run.observe("nematic_statistics", "free_energy");
+  };
+  const double begun = energy();
+  double least = begun;
+  while (run.time() < 0.2) {
+    run.run_steps(5);
+    const double now = energy();
+    ASSERT_LE(now, least + 1e-4 * (begun - least)) << "at t = " << run.time();
+    least = std::min(least, now);
+  }
+  EXPECT_LT(least, begun - 1.0);  // J/m, of some 3.4
+}
+
+// Speeds fall with the slowest mode of the director, and nothing else is left: a pressure that pushes particles
+// although it is uniform, or a density that alternates between them, would drive some 1e-4 m/s for good.
+TEST(PassiveBox, ComesToRest) {
+  CaseText text = closed_box(2.4, 12, 2.0, 0.5, 2.0);
+  text.section("director", "type = \"modes\"\nmodes = [[1, 1, 0.3, 0.2]]").read("\"velocity\"");
+  CaseRun run(text);
+  const auto fastest = [&] {
+    double most = 0.0;
+    for (const int axis : {0, 1})
+      for (const double u : run.field("velocity", axis)) most = std::max(most, std::abs(u));
+    return most;
+  };
+  run.run_to(14.0);  // two defects on their way into corners
+  EXPECT_GT(fastest(), 1e-2);
+  run.run_to(36.0);
+  const double before = fastest();
+  run.run_to(46.0);
+  EXPECT_LT(fastest(), 1e-6);
+  EXPECT_NEAR(std::log(before / fastest()) / 10.0, 0.40, 0.02);
+}
+
+}  // namespace
