@@ -12,13 +12,13 @@
 #include "output/run_folder.hpp"
 #include "plugin/crash.hpp"
 #include "simulation/cost_meter.hpp"
+#include "simulation/marks_of.hpp"
 #include "simulation/observation.hpp"
 #include "simulation/results_options.hpp"
 #include "simulation/rounded_text.hpp"
 #include "simulation/run_session.hpp"
 #include "simulation/run_trace.hpp"
 #include "simulation/stepper.hpp"
-#include "time/kept_times.hpp"
 
 namespace mesogen {
 
@@ -40,7 +40,7 @@ class Run {
         stepper_(setup),
         observation_(stepper_),
         crash_(stepper_.world().step, stepper_.world().time, setup.source.units.time),
-        kept_(setup.source.output.checkpoint_times, setup.source.output.checkpoint_every) {
+        marks_(marks_of(setup)) {
     crash_.advise(fmt::format("no checkpoint was written yet: `mesogen resume {}` starts again from the beginning",
                               options_.folder.string()));
     log_.open_file(options.folder / "run.log");
@@ -95,7 +95,7 @@ class Run {
     stepper_.start();
     observation_.start();
     observation_.observe(everybody(), results);
-    const Stepper::Step step = stepper_.next_step(next_mark());
+    const Stepper::Step step = stepper_.next_step(marks_, end());
     log_.info(fmt::format("{} particles, {} threads, {}, first step {} {} (limit: {})", setup_.scene.particle_count,
                           omp_get_max_threads(), precision(), rounded_text(step.seconds), setup_.source.units.time,
                           step.limit));
@@ -106,16 +106,6 @@ class Run {
   }
 
   [[nodiscard]] double end() const { return setup_.source.time.end; }
-  /// The next time for which something is asked in a run to `end`, s.
-  [[nodiscard]] double next_asked(double end) {
-    const double time = stepper_.world().time;
-    return std::min(observation_.next(time, end), kept_.next(time, end));
-  }
-  /// The next time on which a step is to end, s.
-  [[nodiscard]] double next_mark() {
-    const double next = next_asked(end());
-    return next > end() * (1.0 - 1e-12) ? end() : next;
-  }
   [[nodiscard]] std::vector<bool> everybody() const { return std::vector<bool>(setup_.observers.size() + 1, true); }
   [[nodiscard]] ResultsOptions results_options() const {
     ResultsOptions results = mesogen::results_options(setup_, options_.folder);
@@ -176,7 +166,7 @@ class Run {
   /// Before the first step that is another one only because the run ends where it does.
   void keep_before_end(const Stepper::Step& step, ResultsWriter& results) {
     if (shortened_for_ == end()) return;
-    const Stepper::Step longer = stepper_.next_step(next_asked(std::numeric_limits<double>::infinity()));
+    const Stepper::Step longer = stepper_.next_step(marks_, std::numeric_limits<double>::infinity());
     if (step.seconds == longer.seconds && step.arrival == longer.arrival) return;
     const Span span(checkpoints_, trace_.trace());
     results.flush();
@@ -205,15 +195,15 @@ class Run {
     progress_.start(world.time, world.step, end(), setup_.source.units.time);
     try {
       while (world.time < end() && !stopped()) {
-        const Stepper::Step step = stepper_.next_step(next_mark());
+        const Stepper::Step step = stepper_.next_step(marks_, end());
         keep_before_end(step, results);
-        const double from = world.time;
+        const Arrival from = stepper_.arrival();
         const bool last = step.arrival >= end();
-        const auto due = observation_.due(from, step.arrival, world.step + 1, false);
+        const auto due = marks_.due(from, {step.arrival, step.seconds}, world.step + 1);
         stepper_.advance(step, last ? everybody() : due);
         observation_.observe(due, results);
         progress_.update(world.time, world.step);
-        if (kept_.due(from, world.time)) keep_checkpoint();
+        if (marks_.keeps(from, stepper_.arrival())) keep_checkpoint();
         if (!last && seconds_since(saved) >= setup_.source.output.checkpoint_interval) {
           write_checkpoint(results);
           saved = Clock::now();
@@ -286,7 +276,7 @@ class Run {
   Observation observation_;
   CrashAdvice crash_;
   Counter checkpoints_{"output: checkpoint", "output"};
-  KeptTimes kept_;
+  Marks marks_;
   CostMeter cost_;
   RunCost before_;                       ///< of earlier sessions
   std::optional<double> shortened_for_;  ///< see Checkpoint

@@ -104,14 +104,17 @@ void Stepper::start() {
 }
 
 Stepper::Step Stepper::next_step(double mark) const {
-  const StepControl::Choice choice = control_.choose(motion_.fastest, motion_.largest_acceleration);
-  const double left = mark - world_.time;
-  const double count = std::max(1.0, std::ceil(left / choice.seconds * (1.0 - 1e-9)));
-  Step step{choice.seconds, mark, choice.limit};
-  // Steps that lead there as they are stay so to the last bit: then the marks between them do not matter.
-  if (!(left / count > choice.seconds * (1.0 - 1e-9))) step.seconds = left / count;
-  if (count > 1.0) step.arrival = arrival_after(step.seconds);
-  return step;
+  const StepControl::Choice longest = longest_step();
+  const EqualSteps steps = equal_steps(mark - world_.time, longest.seconds);
+  return {steps.seconds, steps.count > 1.0 ? arrival_after(steps.seconds) : mark, longest.limit};
+}
+
+Stepper::Step Stepper::next_step(const Marks& marks, double end) const {
+  return next_step(marks.next(arrival(), end, longest_step().seconds));
+}
+
+StepControl::Choice Stepper::longest_step() const {
+  return control_.choose(motion_.fastest, motion_.largest_acceleration);
 }
 
 // In a run of equal steps the time is a multiple of the step, however it was reached.

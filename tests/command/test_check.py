@@ -78,7 +78,7 @@ class Check(CommandTest):
         self.assertRegex(out, r"(?m)^  steps +\d+ or more$")
         self.assertRegex(out, r"(?m)^  wall time +\S+ (s|min) or more with \d threads?: \S+ ms a step \(from \d+ steps\)$")
         self.assertRegex(out, r"(?m)^  memory +\S+ MB$")
-        self.assertRegex(out, r"(?m)^  disk +\S+ MB: 3 frames of \S+ MB, two checkpoints of \S+ MB$")
+        self.assertRegex(out, r"(?m)^  disk +\S+ MB: 3 frames of \S+ MB, 2 checkpoints of \S+ MB$")
         self.assertRegex(out, r"(?m)^  sound: .* s   binds$")
         self.assertEqual(os.listdir(self.folder), ["case.toml"])
 
@@ -108,6 +108,23 @@ class Check(CommandTest):
         told = self.check()
         self.mesogen("run", self.path("case.toml"), "--output", "out")
         self.assertEqual(told["steps"]["steps_at_least"], mesogen.open(self.path("out")).cost.steps)
+        # Steps are cut to end on samples, frames and kept checkpoints: by a tenth of a step, by half of one.
+        for setting in ("observers.flow.interval=0.0007", "output.interval=0.021", "output.checkpoint_every=0.0013",
+                        "output.checkpoint_times=[0.0301, 0.0302, 0.07]"):
+            told = self.check("--set", setting, "--set", "time.step=0.001")
+            self.mesogen("run", self.path("case.toml"), "--set", setting, "--set", "time.step=0.001", "--output", "out",
+                         "--overwrite", "--quiet")
+            self.assertEqual(told["steps"]["steps_at_least"], mesogen.open(self.path("out")).cost.steps, setting)
+            stored = [name for _, _, names in os.walk(self.path("out")) for name in names
+                      if name.startswith(("checkpoint_", "step"))]
+            self.assertEqual(told["disk"]["checkpoints"], len(stored), setting)
+        # 0.06 s and 0.060000000002 s are one time, at which both read.
+        nearly = ("--set", "observers.flow.interval=0.03", "--set", "output.interval=0.030000000001", "--set",
+                  "time.step=0.001")
+        self.mesogen("run", self.path("case.toml"), *nearly, "--output", "out", "--overwrite", "--quiet")
+        run = mesogen.open(self.path("out"))
+        self.assertEqual((self.check(*nearly)["steps"]["steps_at_least"], run.cost.steps), (100, 100))
+        self.assertEqual([len(run.times), len(run.series("flow", "v_rms")[0])], [5, 5])
         fixed = self.check("--set", "time.step=1e-3")["steps"]
         self.assertEqual((fixed["fixed"], fixed["steps_at_least"], fixed["binds"]), (True, 100, "time.step of the case"))
 
@@ -151,7 +168,7 @@ class Check(CommandTest):
         self.assertRegex(out, r"(?m)^advice\n(?:.*\n)*  the step is 0\.5 of what is stable\n"
                               r"      --set time\.factor=1\n"
                               r"      up to 2 times fewer steps, and as good an answer\n"
-                              r"      steps 23 -> 12\n")
+                              r"      steps 24 -> 12\n")
         told = {one["name"]: one for one in self.check(*arguments)["advice"]}
         self.assertEqual(told["short_step"]["settings"], ["time.factor=1"])
         self.assertEqual(told["short_step"]["steps"], 12)
@@ -223,8 +240,8 @@ class Check(CommandTest):
     def test_disk_that_is_too_small(self):
         case = self.write_case()
         out, err = self.mesogen("check", case, "--quick", "--set", "output.interval=1e-11", code=2)
-        self.assertRegex(err, r"^error: --set: output\.interval: 1e\+10 frames of 0\.0184 MB and two checkpoints take "
-                              r"\S+ GB of disk, frames twice while they are packed at the end, where \S+ GB are free; an "
+        self.assertRegex(err, r"(?m)^error: --set: output\.interval: 1e\+10 frames of 0\.0184 MB and 2 checkpoints of "
+                              r"\S+ MB take \S+ GB of disk, frames twice while they are packed at the end, where \S+ GB are free; an "
                               r"interval of \S+ s or more fits\n$")
         self.assertIn("case.toml cannot be run here\n", out)
         interval = re.search(r"interval of (\S+) s or more fits", err)[1]
@@ -235,7 +252,7 @@ class Check(CommandTest):
         case = self.write_case()
         for command in (["check", case, "--quick"], ["run", case, "--output", "out"]):
             _, err = self.mesogen(*command, "--set", "observers.flow.interval=1e-13", code=2)
-            self.assertRegex(err, r"^error: --set: observers\.flow\.interval: 1e\+12 samples are kept in memory until the "
+            self.assertRegex(err, r"(?m)^error: --set: observers\.flow\.interval: 1e\+12 samples are kept in memory until the "
                                   r"run ends and take \S+ GB, where \S+ GB are available; take at least \S+ s\n$")
         self.assertFalse(os.path.exists(self.path("out")))
         interval = re.search(r"take at least (\S+) s", err)[1]
