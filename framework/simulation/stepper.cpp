@@ -185,7 +185,8 @@ void Stepper::save(Checkpoint& checkpoint) {
       for (Index i = 0; i < world_.particles.count(); ++i) values[static_cast<std::size_t>(i)] = field.value(c, i);
     }
   }
-  if (integrator_.velocity_by_passes()) checkpoint.numbers["largest acceleration"] = {motion_.largest_acceleration};
+  // The next step goes by it. What it was found in is not always saved: a rate is, if its field is predicted by it.
+  checkpoint.numbers["largest acceleration"] = {motion_.largest_acceleration};
   for (const auto& member : setup_.physics) {
     for (const auto& kept : member.passes.kept()) {
       const auto numbers = numbers_of(member, kept);
@@ -247,9 +248,7 @@ void Stepper::restore(const Checkpoint& checkpoint) {
   }
   sorted_alike ? world_.restore_order(sorted) : world_.sort_anew();
   motion_.fastest = integrator_.fastest();
-  motion_.largest_acceleration = integrator_.velocity_by_passes()
-                                     ? take_of(checkpoint.numbers, "largest acceleration", 1, "numbers").front()
-                                     : integrator_.largest_acceleration();
+  motion_.largest_acceleration = take_of(checkpoint.numbers, "largest acceleration", 1, "numbers").front();
 }
 
 std::vector<Counter> Stepper::shares() const {
