@@ -74,10 +74,10 @@ void refuse_particles(const Case& source, double needed, double available, const
                       Problems& problems) {
   const std::string text = fmt::format("{:.6g} particles need {} of memory, where {} are available", count_of(source),
                                        gigabytes(needed), gigabytes(available));
-  problems.add(
-      source.place("particles.spacing"), "particles.spacing",
-      fits ? fmt::format("{}; {:.6g} particles fit, with a spacing of {:.12g} m", text, fits->particles, fits->spacing)
-           : text + "; take fewer particles");
+  problems.add(source.place("particles.spacing"), "particles.spacing",
+               fits ? fmt::format("{}; {:.6g} particles fit, with a spacing of {:.12g} {}", text, fits->particles,
+                                  fits->spacing, source.units.length)
+                    : text + "; take fewer particles");
 }
 
 double numbers_of(const Quantity& quantity) { return static_cast<double>(std::max<std::size_t>(quantity.columns, 1)); }

@@ -115,7 +115,8 @@ void SetupBuilder::make_plugins() {
     });
     if (!understood) plugin.reset();
   };
-  setup_.boundary = make(source_.boundary, [&](const std::string& type) { return registry_.make_boundary(type); });
+  setup_.boundary = make(source_.boundary,
+                         [&](const std::string& type) { return registry_.make_boundary(type, source_.units.length); });
   simple(source_.boundary, setup_.boundary);
   setup_.kernel = make(source_.kernel, [&](const std::string& type) { return registry_.make_kernel(type); });
   simple(source_.kernel, setup_.kernel);

@@ -74,7 +74,7 @@ class Run:
         if not self._file:
             return f"<mesogen.Run {self.folder!r}, closed>"
         times = self.times
-        span = f"{len(times)} frames to t = {times[-1]:g} s" if len(times) else "no frames"
+        span = f"{len(times)} frames to t = {times[-1]:g} {self.time_unit}" if len(times) else "no frames"
         return f"<mesogen.Run {self.folder!r}: {self.count} particles, {span}, fields {', '.join(self.fields)}>"
 
     # ---- the case -------------------------------------------------------------------------------------------------

@@ -321,7 +321,7 @@ TEST(DefectFlow, SaysWhatItRefuses) {
   EXPECT_EQ(error_of([](auto& observer) { observer.set("points", std::int64_t{40}); }),
             "defect_flow: `points` must be odd, so that the defect is at one of them, but is 40");
   EXPECT_EQ(error_of([](auto& observer) { observer.set("radius", std::optional<double>(0.75)); }),
-            "defect_flow: `radius` is at most half the shortest edge of the box, 0.500000 m, but is 0.750000 m");
+            "defect_flow: `radius` is at most half the shortest edge of the box, 0.500000, but is 0.750000");
 }
 
 }  // namespace
