@@ -26,3 +26,9 @@ def time_unit(case):
     units = case.get("units")
     unit = units.get("time") if isinstance(units, Mapping) else None
     return unit if isinstance(unit, str) else "s"
+
+
+def stored_unit(dataset, default="1"):
+    """Of a dataset of results.h5, as it is usually written; of the columns of a table, "m, m, rad"."""
+    unit = dataset.attrs.get("unit", dataset.attrs.get("unit_text", default))
+    return plain(unit.decode() if isinstance(unit, bytes) else str(unit))
