@@ -2,10 +2,8 @@
 #include <memory>
 
 #include "diagnostics/resources.hpp"
-#include "interrupt.hpp"
-#include "options.hpp"
 #include "room.hpp"
-#include "simulation/run.hpp"
+#include "run_options.hpp"
 #include "verbs.hpp"
 
 namespace mesogen::app {
@@ -28,12 +26,8 @@ ExitCode branch(const Options& options) {
   const auto program = static_cast<double>(resident_memory());
   const CaseOptions branched{(std::filesystem::path(options.folder) / "case.toml").string(), options.changes,
                              options.plugin_folders};
-  RunOptions run;
-  run.folder = options.output;
+  RunOptions run = run_options(options.running, options.output);
   run.overwrite = options.overwrite;
-  run.profile = options.running.profile;
-  run.trace = options.running.trace;
-  run.stop = &stop_on_signal();
   run.inspect = [&](const Setup& setup) { refuse_beyond_memory(setup, program, with_settings(branched, registry)); };
   Log log(options.running.quiet);
   Progress progress(std::cerr, Progress::style_for(2, options.running.quiet));

@@ -1,6 +1,7 @@
 #include "check_facts.hpp"
 
 #include "diagnostics/resources.hpp"
+#include "forecast/disk.hpp"
 #include "forecast/instability.hpp"
 #include "room.hpp"
 
@@ -12,10 +13,6 @@ constexpr double seconds_of_timing = 2.0;
 
 // Beyond this, setting the case up once more to see what following the advice takes would itself take long.
 constexpr double most_particles = 2e7;
-
-double frames(const Setup& setup) { return 1.0 + times_due(setup, setup.observers.size(), 0.0); }
-
-double disk(const Setup& setup) { return frames(setup) * frame_bytes(setup) + 2.0 * checkpoint_bytes(setup); }
 
 // Where a run would write, if it is not told otherwise.
 double free_here() { return free_disk("output"); }
@@ -29,7 +26,7 @@ std::vector<AdviceFacts> follow(const Setup& setup, const StepForecast& steps, d
     try {
       const auto followed = set_up_with(one.settings);
       all.push_back({std::move(one), followed->scene.particle_count, forecast_steps(*followed).expected,
-                     forecast_memory(*followed, program).peak(), disk(*followed)});
+                     forecast_memory(*followed, program).peak(), bytes_on_disk(*followed)});
     } catch (const Error&) {
     }
   }
@@ -45,12 +42,14 @@ CheckFacts check_facts(Setup& setup, bool timed, double program, const SetUpWith
   facts.steps = forecast_steps(setup);
   facts.memory = forecast_memory(setup, program);
   facts.memory_available = static_cast<double>(available_memory());
-  facts.frames = frames(setup);
+  facts.frames = frames_stored(setup);
   facts.frame_bytes = frame_bytes(setup);
+  facts.checkpoints = checkpoints_stored(setup);
   facts.checkpoint_bytes = checkpoint_bytes(setup);
+  facts.disk = bytes_on_disk(setup);
   refuse_beyond_memory(setup, facts.memory, facts.memory_available, program, set_up_with, facts.problems);
-  if (const std::string text = beyond_disk(setup, free_here()); !text.empty())
-    facts.problems.add(setup.source.place("output.interval"), "output.interval", text);
+  if (const auto excess = beyond_disk(setup, free_here()))
+    facts.problems.add(setup.source.place(excess->key), excess->key, excess->text);
   if (const std::string text = beyond_steps(setup, facts.steps); !text.empty()) facts.warnings.push_back(text);
   facts.advice = follow(setup, facts.steps, program, set_up_with);
   if (!timed) {

@@ -33,7 +33,9 @@ struct CheckFacts {
   double memory_available = 0.0;  ///< bytes; 0: unknown
   double frames = 0.0;            ///< stored
   double frame_bytes = 0.0;
+  double checkpoints = 0.0;  ///< in the folder at the end
   double checkpoint_bytes = 0.0;
+  double disk = 0.0;  ///< frames and checkpoints, bytes
   std::optional<TimeForecast> time;
   std::string not_timed;     ///< why there is no time
   bool breaks_down = false;  ///< within the first steps; not_timed tells how

@@ -110,6 +110,7 @@ Json check_json(const Setup& setup, const PluginRegistry& registry, const CheckF
   all["memory"] = memory_json(facts);
   all["disk"] = {{"frames", facts.frames},
                  {"frame", facts.frame_bytes},
+                 {"checkpoints", facts.checkpoints},
                  {"checkpoint", facts.checkpoint_bytes},
                  {"fields", setup.output_fields}};
   all["advice"] = advice_json(facts.advice);

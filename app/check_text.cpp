@@ -55,8 +55,9 @@ std::string steps_text(const Setup& setup, const StepForecast& steps) {
   const std::string& unit = setup.source.units.time;
   std::string text;
   if (time.step) {
-    text += fmt::format("time            {0:.6g} {3}, in {1} steps of {2:.6g} {3}\n", time.end,
-                        count_text(steps.expected), *time.step, unit);
+    text += fmt::format("time            {0:.6g} {3}, in {1} steps of {2:.6g} {3}{4}\n", time.end,
+                        count_text(steps.expected), *time.step, unit,
+                        steps.expected * *time.step > 1.000001 * time.end ? " or less" : "");
   } else {
     text += fmt::format("time            {:.6g} {}, step chosen as the run goes, times {:.6g}\n", time.end, unit,
                         time.factor);
@@ -112,9 +113,9 @@ std::string run_text(const Setup& setup, const CheckFacts& facts) {
   text += fmt::format("  memory          {}", bytes_text(peak));
   if (facts.memory_available > 0.0 && peak > facts.memory_available)
     text += fmt::format(", more than the {} that can be had here", bytes_text(facts.memory_available));
-  text += fmt::format("\n  disk            {}: {} frames of {}, two checkpoints of {}\n",
-                      bytes_text(facts.frames * facts.frame_bytes + 2.0 * facts.checkpoint_bytes),
-                      count_text(facts.frames), bytes_text(facts.frame_bytes), bytes_text(facts.checkpoint_bytes));
+  text += fmt::format("\n  disk            {}: {} frames of {}, {} checkpoints of {}\n", bytes_text(facts.disk),
+                      count_text(facts.frames), bytes_text(facts.frame_bytes), count_text(facts.checkpoints),
+                      bytes_text(facts.checkpoint_bytes));
   text += fmt::format("  stored fields   position{}{} every {:.6g} {}\n", setup.output_fields.empty() ? "" : ", ",
                       fmt::join(setup.output_fields, ", "), setup.source.output.interval, setup.source.units.time);
   return text;
@@ -130,7 +131,7 @@ std::string change_text(const Setup& setup, const CheckFacts& facts, const Advic
   note("particles", setup.scene.particle_count, static_cast<double>(one.particles), count_text);
   note("steps", facts.steps.expected, one.steps, count_text);
   note("memory", facts.memory.peak(), one.memory, bytes_text);
-  note("disk", facts.frames * facts.frame_bytes + 2.0 * facts.checkpoint_bytes, one.disk, bytes_text);
+  note("disk", facts.disk, one.disk, bytes_text);
   return fmt::format("{}", fmt::join(changes, ", "));
 }
 

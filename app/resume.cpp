@@ -5,11 +5,9 @@
 #include <memory>
 
 #include "diagnostics/resources.hpp"
-#include "interrupt.hpp"
-#include "options.hpp"
 #include "room.hpp"
+#include "run_options.hpp"
 #include "simulation/resume_rules.hpp"
-#include "simulation/run.hpp"
 #include "verbs.hpp"
 
 namespace mesogen::app {
@@ -28,11 +26,7 @@ ExitCode resume(const Options& options) {
   const auto registry = load_plugins(options.plugin_folders, options.running.quiet);
   const auto program = static_cast<double>(resident_memory());
   const CaseOptions stored{(std::filesystem::path(options.folder) / "case.toml").string(), {}, options.plugin_folders};
-  RunOptions run;
-  run.folder = options.folder;
-  run.profile = options.running.profile;
-  run.trace = options.running.trace;
-  run.stop = &stop_on_signal();
+  RunOptions run = run_options(options.running, options.folder);
   // It began elsewhere, perhaps, where there was more memory.
   run.inspect = [&](const Setup& setup) { refuse_beyond_memory(setup, program, with_settings(stored, registry)); };
   Log log(options.running.quiet);

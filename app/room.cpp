@@ -4,6 +4,7 @@
 #include <system_error>
 
 #include "diagnostics/resources.hpp"
+#include "forecast/disk.hpp"
 
 namespace mesogen::app {
 
@@ -37,8 +38,7 @@ void refuse_beyond_memory(const Setup& setup, double program, const SetUpWith& s
 }
 
 void warn_of_limits(const Setup& setup, const std::filesystem::path& folder, Log& log) {
-  if (const std::string text = beyond_disk(setup, free_disk(folder)); !text.empty())
-    log.warn("output.interval: " + text);
+  if (const auto excess = beyond_disk(setup, free_disk(folder))) log.warn(excess->key + ": " + excess->text);
   if (const std::string text = beyond_steps(setup, forecast_steps(setup)); !text.empty()) log.warn(text);
 }
 

@@ -4,9 +4,8 @@
 #include <memory>
 
 #include "diagnostics/resources.hpp"
-#include "interrupt.hpp"
-#include "options.hpp"
 #include "room.hpp"
+#include "run_options.hpp"
 #include "verbs.hpp"
 
 namespace mesogen::app {
@@ -44,13 +43,10 @@ ExitCode run(const Options& options) {
   const SetUpWith set_up_with = with_settings(options.source, registry);
   Case source = read(options.source, registry);
   refuse_far_beyond_memory(source, program, set_up_with);
-  RunOptions run;
-  run.folder = options.output.empty() ? default_folder(options.source.file) : std::filesystem::path(options.output);
+  const std::filesystem::path folder = options.output;
+  RunOptions run = run_options(options.running, folder.empty() ? default_folder(options.source.file) : folder);
   keep_case(run.folder, options.source.file);
   run.overwrite = options.overwrite;
-  run.profile = options.running.profile;
-  run.trace = options.running.trace;
-  run.stop = &stop_on_signal();
   Log log(options.running.quiet);
   run.inspect = [&](const Setup& setup) {
     refuse_beyond_memory(setup, program, set_up_with);

@@ -16,6 +16,7 @@ import statistics
 import subprocess
 import sys
 import tempfile
+import textwrap
 
 BASE = {
     "domain": 'size = [10.0, 10.0]\nboundary = "periodic_ghosts"',
@@ -102,9 +103,10 @@ def page(results, across, threads, rounds):
     """The table as a page of Markdown."""
     full = results[0]
     lines = ["# What each part of the model costs", "",
-             f"The paper's scene (zeta = 0.023 Pa, K = 0.02 N, ...) with {across} x {across} particles, single precision "
-             f"unless said otherwise, {threads} thread{'s' if threads > 1 else ''} of {processor()}; medians of {rounds} "
-             f"rounds in which the variants take turns. Made by `bench/model_cost.py`.", "",
+             *textwrap.wrap(
+                 f"The paper's scene (zeta = 0.023 Pa, K = 0.02 N, ...) with {across} x {across} particles, single "
+                 f"precision unless said otherwise, {threads} thread{'s' if threads > 1 else ''} of {processor()}; medians "
+                 f"of {rounds} rounds in which the variants take turns. Made by `bench/model_cost.py`.", 120), "",
              "| model | ms a step | over full | step, ms | s for 1 s | over full | memory, MB |",
              "|---|---|---|---|---|---|---|"]
     for (name, *_), (seconds, step, memory) in zip(VARIANTS, results):

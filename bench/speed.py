@@ -16,6 +16,7 @@ import importlib.util
 import os
 import pathlib
 import sys
+import textwrap
 import time
 
 from speed_runs import (PROJECT, best_of, call, device_name, device_seconds, instruction_set, measure_passes,
@@ -207,7 +208,8 @@ def tables(figures):
     """All tables of the page, by name, as Markdown."""
     blocks = {name: markdown(figures, name, corner) for name, corner in CORNERS.items()
               if any(figure.table == name for figure in figures)}
-    blocks[MACHINE] = next(figure.value for figure in figures if figure.table == MACHINE)
+    sentence = next(figure.value for figure in figures if figure.table == MACHINE)
+    blocks[MACHINE] = textwrap.fill(sentence, 120, break_long_words=False, break_on_hyphens=False)
     return blocks
 
 

@@ -23,9 +23,10 @@ PROJECT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 CASES = {"extensile, 0.03 Pa": "extensile", "contractile, -0.03 Pa": "contractile"}
 # 64^2 to 256^2 points, three seeds; of the extensile case.
 REFERENCE = "| extensile, 0.03 Pa | pseudo-spectral reference | 0.1584 ± 0.0005 | 0.785 ± 0.003 | 24.1 ± 0.6 | 0.121 ± 0.003 | | |"
-NOTE = ("`cases/active_turbulence/extensile.toml` and `contractile.toml` by both flows: means over 300 to 600 s, errors over seeds (with one "
-        "seed over six blocks of time);\ndefects are all that the order tensor has, close pairs too; drift: the mean of 450 to 600 s over that "
-        "of 150 to 300 s. In so small a box v rms wanders.\nMade by `bench/turbulence.py`.")
+NOTE = """\
+`cases/active_turbulence/extensile.toml` and `contractile.toml` by both flows: means over 300 to 600 s, errors over
+seeds (with one seed over six blocks of time); defects are all that the order tensor has, close pairs too; drift: the
+mean of 450 to 600 s over that of 150 to 300 s. In so small a box v rms wanders. Made by `bench/turbulence.py`."""
 WINDOW, EARLY, LATE = (300.0, 600.0), (150.0, 300.0), (450.0, 600.0)
 QUANTITIES = {"vorticity_rms": ("flow", "vorticity_rms"), "order": ("nematic", "mean_order"),
               "defects": ("pairs", "count_plus"), "v_rms": ("flow", "v_rms")}

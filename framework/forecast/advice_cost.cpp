@@ -48,7 +48,7 @@ std::optional<Advice> short_step(const AdviceInput& input) {
 
 std::optional<Advice> large_output(const AdviceInput& input) {
   const auto& source = input.setup.source;
-  const double frames = 1.0 + std::ceil(source.time.end / source.output.interval * (1.0 - 1e-9));
+  const double frames = frames_stored(input.setup);
   const double one = frame_bytes(input.setup);
   if (!(input.free_disk > 0.0) || frames < 3.0 || frames * one < input.free_disk / 2.0) return std::nullopt;
   const double fewer = std::max(2.0, std::floor(input.free_disk / 4.0 / one));

@@ -74,10 +74,10 @@ void refuse_particles(const Case& source, double needed, double available, const
                       Problems& problems) {
   const std::string text = fmt::format("{:.6g} particles need {} of memory, where {} are available", count_of(source),
                                        gigabytes(needed), gigabytes(available));
-  problems.add(
-      source.place("particles.spacing"), "particles.spacing",
-      fits ? fmt::format("{}; {:.6g} particles fit, with a spacing of {:.12g} m", text, fits->particles, fits->spacing)
-           : text + "; take fewer particles");
+  problems.add(source.place("particles.spacing"), "particles.spacing",
+               fits ? fmt::format("{}; {:.6g} particles fit, with a spacing of {:.12g} {}", text, fits->particles,
+                                  fits->spacing, source.units.length)
+                    : text + "; take fewer particles");
 }
 
 double numbers_of(const Quantity& quantity) { return static_cast<double>(std::max<std::size_t>(quantity.columns, 1)); }
@@ -98,7 +98,7 @@ void refuse_samples(const Setup& setup, double available, Problems& problems) {
                              "available; take at least {:.3g}{}",
                              samples, gigabytes(samples * bytes), gigabytes(available),
                              observer.timing.every ? std::ceil(steps / fewer) : setup.source.time.end / fewer,
-                             observer.timing.every ? " steps" : " s"));
+                             observer.timing.every ? " steps" : " " + setup.source.units.time));
   }
 }
 
@@ -128,33 +128,18 @@ void refuse_beyond_memory(const Setup& setup, const MemoryForecast& memory, doub
   refuse_samples(setup, available, problems);
 }
 
-double most_on_disk(const Setup& setup) {
-  const double frames = 1.0 + times_due(setup, setup.observers.size(), 0.0);
-  return 2.0 * frames * frame_bytes(setup) + 2.0 * checkpoint_bytes(setup);
-}
-
-std::string beyond_disk(const Setup& setup, double free) {
-  const double needed = most_on_disk(setup);
-  if (!(free > 0.0) || needed <= free) return {};
-  const double one = frame_bytes(setup);
-  const double frames = 1.0 + times_due(setup, setup.observers.size(), 0.0);
-  const double fewer = std::floor(((1.0 - left_free) * free - 2.0 * checkpoint_bytes(setup)) / (2.0 * one));
-  std::string text = fmt::format(
-      "{:.6g} frames of {:.3g} MB and two checkpoints take {} of disk, frames twice while they are packed at the end, "
-      "where {} are free",
-      frames, one / 1e6, gigabytes(needed), gigabytes(free));
-  if (fewer >= 2.0)
-    return text + fmt::format("; an interval of {:.3g} s or more fits", 1.01 * setup.source.time.end / (fewer - 1.0));
-  return text + "; make room, or take fewer particles or fields";
-}
-
 bool time_stands_still(const StepForecast& steps) { return steps.expected > std::pow(2.0, 53.0); }
 
 std::string beyond_steps(const Setup& setup, const StepForecast& steps) {
   if (!(steps.expected > most_steps)) return {};
   const std::string count = std::isfinite(steps.expected) ? fmt::format("{:.3g}", steps.expected) : "more than 1e308";
-  std::string text = fmt::format("to {:.3g} s in steps of {:.3g} s (limit: {}) a run takes {} steps",
-                                 setup.source.time.end, steps.at_speed, steps.limit_at_speed, count);
+  const double end = setup.source.time.end;
+  const double mean = end / steps.expected;
+  const bool cut = std::isfinite(steps.expected) && mean < steps.at_speed / 2.0;
+  std::string text = fmt::format(
+      "to {0:.3g} {4} in steps of {1:.3g} {4} (limit: {2}) a run takes {3} steps", end, cut ? mean : steps.at_speed,
+      cut ? "the times that samples, frames and checkpoints are asked for" : steps.limit_at_speed, count,
+      setup.source.units.time);
   if (time_stands_still(steps)) text += ", and time would stand still before its end";
   return text;
 }

@@ -39,12 +39,6 @@ MESOGEN_EXPORT void refuse_far_beyond_memory(const Case& source, double availabl
 MESOGEN_EXPORT void refuse_beyond_memory(const Setup& setup, const MemoryForecast& memory, double available,
                                          double program, const SetUpWith& set_up_with, Problems& problems);
 
-/// The most that frames and checkpoints take at a time, bytes: frames twice, while they are packed at the end.
-MESOGEN_EXPORT double most_on_disk(const Setup& setup);
-
-/// Why the run does not fit a disk with so many bytes free, and what does; empty if it fits, or 0 are known.
-MESOGEN_EXPORT std::string beyond_disk(const Setup& setup, double free);
-
 /// Beyond 2^53 steps a step is less than the rounding of the time that it is added to: the end is never reached.
 MESOGEN_EXPORT bool time_stands_still(const StepForecast& steps);
 

@@ -187,15 +187,15 @@ TimeForecast forecast_time(Setup& setup, const std::function<std::unique_ptr<Set
   const double speed = std::max(fastest, expected_speed(setup.scene) / 2.0);
   const Transport& flow = setup.graph->transport();
   if (sorts && !flow.velocity.empty() && !flow.fixed)
-    time.sortings = count_sortings(count, std::min(steps.at_speed, setup.source.time.end), speed, run.skin());
+    time.sortings = count_sortings(count, setup.source.time.end / count, speed, run.skin());
   const double computing = count * time.step + time.sortings * time.sorting + time.observing;
 
-  const double frames = 1.0 + times_due(setup, setup.observers.size(), steps.expected);
-  const double checkpoints = 2.0 + std::floor(computing / setup.source.output.checkpoint_interval);
+  const double checkpoints =
+      checkpoints_stored(setup) + std::floor(computing / setup.source.output.checkpoint_interval);
   const double a_checkpoint = run.checkpoint() + checkpoint_bytes(setup) / bytes_per_second + seconds_per_file;
   // Each frame is written by itself, then read and written once more into the results.
   const double a_frame = 3.0 * frame_bytes(setup) / bytes_per_second + 3.0 * seconds_per_file;
-  time.writing = checkpoints * a_checkpoint + frames * a_frame;
+  time.writing = checkpoints * a_checkpoint + frames_stored(setup) * a_frame;
   time.wall = time.start + computing + time.writing;
   time.cpu = processors * time.wall;
   return time;

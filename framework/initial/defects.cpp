@@ -23,8 +23,8 @@ std::string fold_defects(Case& source, const std::array<bool, 3>& periodic) {
       std::int32_t boxes = 0;
       if (periodic[axis]) wrap_into_box(size, rows[row][axis], boxes);
       if (rows[row][axis] >= 0.0 && rows[row][axis] < size) continue;
-      return fmt::format("row {}: must lie in the box, {} from 0 to {} m, {}, but is at {}", row + 1,
-                         axis == 0 ? "x" : "y", size,
+      return fmt::format("row {}: must lie in the box, {} from 0 to {} {}, {}, but is at {}", row + 1,
+                         axis == 0 ? "x" : "y", size, source.units.length,
                          periodic[axis] ? "or within 1e9 boxes of it" : "where this axis ends at walls", given);
     }
   return {};

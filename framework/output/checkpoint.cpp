@@ -1,7 +1,6 @@
 #include "output/checkpoint.hpp"
 
 #include <algorithm>
-#include <array>
 #include <functional>
 #include <span>
 #include <system_error>
@@ -15,8 +14,6 @@ namespace mesogen {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr std::array file_names = {"checkpoint_a.h5", "checkpoint_b.h5", "checkpoint_before_end.h5"};
 
 /// A file read and unpacked, or why not.
 struct Candidate {
@@ -37,7 +34,7 @@ Candidate look_at(const fs::path& folder, const std::string& name) {
 
 void write(const fs::path& folder, const std::string& name, const Checkpoint& checkpoint) {
   std::int64_t newest = -1;
-  for (const char* other : file_names) newest = std::max(newest, output::serial_of(folder / other));
+  for (const char* other : newest_checkpoint_names) newest = std::max(newest, output::serial_of(folder / other));
   const std::vector<std::byte> bytes = output::encode_checkpoint(checkpoint, newest + 1);
   output::write_file(folder / name, std::span<const std::byte>(bytes));
 }
@@ -46,18 +43,19 @@ void write(const fs::path& folder, const std::string& name, const Checkpoint& ch
 
 bool has_checkpoint(const fs::path& folder) {
   std::error_code error;
-  return std::ranges::any_of(file_names, [&](const char* name) { return fs::exists(folder / name, error); });
+  return std::ranges::any_of(newest_checkpoint_names,
+                             [&](const char* name) { return fs::exists(folder / name, error); });
 }
 
 void write_checkpoint(const fs::path& folder, const Checkpoint& checkpoint) {
   // A truncated file counts as the oldest, so it goes before a whole one.
-  const std::int64_t a = output::serial_of(folder / file_names[0]);
-  const std::int64_t b = output::serial_of(folder / file_names[1]);
-  write(folder, a <= b ? file_names[0] : file_names[1], checkpoint);
+  const std::int64_t a = output::serial_of(folder / newest_checkpoint_names[0]);
+  const std::int64_t b = output::serial_of(folder / newest_checkpoint_names[1]);
+  write(folder, a <= b ? newest_checkpoint_names[0] : newest_checkpoint_names[1], checkpoint);
 }
 
 void write_checkpoint_before_end(const fs::path& folder, const Checkpoint& checkpoint) {
-  write(folder, file_names[2], checkpoint);
+  write(folder, newest_checkpoint_names[2], checkpoint);
 }
 
 Checkpoint read_checkpoint(const fs::path& file) {
@@ -72,7 +70,7 @@ Checkpoint read_newest_checkpoint(const fs::path& folder, std::string* which, st
                                   const CheckpointCheck& check) {
   std::vector<Candidate> candidates;
   std::error_code error;
-  for (const char* name : file_names)
+  for (const char* name : newest_checkpoint_names)
     if (fs::exists(folder / name, error)) candidates.push_back(look_at(folder, name));
   if (candidates.empty()) throw Error(ExitCode::bad_case, folder.string() + " holds no checkpoint to continue from");
   std::ranges::stable_sort(candidates, std::ranges::greater(), [](const Candidate& one) { return one.sealed.serial; });

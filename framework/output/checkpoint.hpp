@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
@@ -37,6 +38,10 @@ struct Checkpoint {
 
   bool operator==(const Checkpoint&) const = default;
 };
+
+/// Where the newest lie in the folder of a run; see write_checkpoint() and write_checkpoint_before_end().
+inline constexpr std::array newest_checkpoint_names = {"checkpoint_a.h5", "checkpoint_b.h5",
+                                                       "checkpoint_before_end.h5"};
 
 /// Replaces the older of the folder's two checkpoints, checkpoint_a.h5 and checkpoint_b.h5. The file appears whole or
 /// not at all and is on disk when this returns. Throws Error(run_failed).

@@ -49,7 +49,7 @@ std::vector<double> StoredFrames::read(std::size_t frame, const output::FieldSha
                 "read " + field.name);
     return buffer;
   } catch (const hdf5::Failure& failure) {
-    throw Error(ExitCode::bad_case, "cannot read the frame at t = " + std::to_string(stamp(frame).time) + " s from " +
+    throw Error(ExitCode::bad_case, "cannot read the frame of step " + std::to_string(stamp(frame).step) + " from " +
                                         path.string() + ": " + failure.what());
   }
 }

@@ -18,20 +18,23 @@ auto told(const std::string& plugin, const char* call, ExitCode code, Action&& a
 
 [[noreturn]] void refuse(const std::string& what) { throw Error(ExitCode::plugin_refused, what); }
 
-std::string point(const std::array<double, 3>& at) { return fmt::format("({:g}, {:g}, {:g}) m", at[0], at[1], at[2]); }
+std::string point(const std::array<double, 3>& at, const std::string& unit) {
+  return fmt::format("({:g}, {:g}, {:g}) {}", at[0], at[1], at[2], unit);
+}
 
 bool is_finite(const std::array<double, 3>& at) {
   return std::ranges::all_of(at, [](double x) { return std::isfinite(x); });
 }
 
-void check(const Copies& copies, Index count) {
+void check(const Copies& copies, Index count, const std::string& unit) {
   if (copies.source.size() != copies.offset.size())
     refuse(fmt::format("gives {} sources, but {} offsets: each copy needs one of both", copies.source.size(),
                        copies.offset.size()));
   for (std::size_t n = 0; n < copies.source.size(); ++n) {
     if (copies.source[n] < 0 || copies.source[n] >= count)
       refuse(fmt::format("copy {} is of particle {}, which there is not", n, copies.source[n]));
-    if (!is_finite(copies.offset[n])) refuse(fmt::format("the offset of copy {} is {}", n, point(copies.offset[n])));
+    if (!is_finite(copies.offset[n]))
+      refuse(fmt::format("the offset of copy {} is {}", n, point(copies.offset[n], unit)));
   }
 }
 
@@ -42,20 +45,20 @@ bool is_inside(const Scene& scene, const std::array<double, 3>& at) {
   return true;
 }
 
-void check(const Scene& scene, const Dummies& dummies) {
+void check(const Scene& scene, const Dummies& dummies, const std::string& unit) {
   if (dummies.position.size() != dummies.mirror.size())
     refuse(fmt::format("gives {} dummies, but {} mirror points: each dummy needs one", dummies.position.size(),
                        dummies.mirror.size()));
   for (std::size_t n = 0; n < dummies.position.size(); ++n) {
-    if (!is_finite(dummies.position[n])) refuse(fmt::format("dummy {} is at {}", n, point(dummies.position[n])));
+    if (!is_finite(dummies.position[n])) refuse(fmt::format("dummy {} is at {}", n, point(dummies.position[n], unit)));
     if (is_inside(scene, dummies.position[n]))
       refuse(fmt::format("dummy {} at {} lies inside the box: dummies belong beyond a face that does not wrap", n,
-                         point(dummies.position[n])));
+                         point(dummies.position[n], unit)));
     if (!is_inside(scene, dummies.mirror[n]))
       refuse(
           fmt::format("the mirror point of dummy {}, {}, lies outside the box: there are no particles to take values "
                       "from",
-                      n, point(dummies.mirror[n])));
+                      n, point(dummies.mirror[n], unit)));
   }
 }
 
@@ -92,7 +95,7 @@ void NamedBoundary::copies(const Scene& scene, const double* const* position, In
                            Copies& out) const {
   told(name_, "copies()", ExitCode::run_failed, [&] {
     plugin_->copies(scene, position, count, reach, out);
-    check(out, count);
+    check(out, count, length_unit_);
   });
 }
 void NamedBoundary::carry_over(const Scene& scene, std::string_view field, int components, const Copies& copies,
@@ -105,7 +108,7 @@ void NamedBoundary::carry_over(const Scene& scene, std::string_view field, int c
 void NamedBoundary::dummies(const Scene& scene, double reach, Dummies& out) const {
   told(name_, "dummies()", ExitCode::plugin_refused, [&] {
     plugin_->dummies(scene, reach, out);
-    check(scene, out);
+    check(scene, out, length_unit_);
   });
 }
 void NamedBoundary::extend(const Scene& scene, std::string_view field, int components, const Dummies& dummies,

@@ -13,8 +13,9 @@ namespace mesogen {
 /// are finite.
 class NamedBoundary final : public Boundary {
  public:
-  NamedBoundary(std::string name, PluginPointer<Boundary> plugin)
-      : name_(std::move(name)), plugin_(std::move(plugin)) {}
+  /// `length_unit`: of what its functions are given, for messages.
+  NamedBoundary(std::string name, PluginPointer<Boundary> plugin, std::string length_unit)
+      : name_(std::move(name)), plugin_(std::move(plugin)), length_unit_(std::move(length_unit)) {}
 
   void parameters(ParameterList& list) override;
   void scales(Scales& scales) const override;
@@ -32,6 +33,7 @@ class NamedBoundary final : public Boundary {
  private:
   std::string name_;
   PluginPointer<Boundary> plugin_;
+  std::string length_unit_;
 };
 
 }  // namespace mesogen

@@ -191,9 +191,10 @@ PluginPointer<Kernel> PluginRegistry::make_kernel(std::string_view name) const {
   return create<Kernel>(descriptor(PluginKind::kernel, name), Precision::double_precision, 2);
 }
 
-std::unique_ptr<Boundary> PluginRegistry::make_boundary(std::string_view name) const {
+std::unique_ptr<Boundary> PluginRegistry::make_boundary(std::string_view name, std::string length_unit) const {
   return std::make_unique<NamedBoundary>(
-      std::string(name), create<Boundary>(descriptor(PluginKind::boundary, name), Precision::double_precision, 2));
+      std::string(name), create<Boundary>(descriptor(PluginKind::boundary, name), Precision::double_precision, 2),
+      std::move(length_unit));
 }
 
 PluginPointer<Observer> PluginRegistry::make_observer(std::string_view name) const {

@@ -64,7 +64,8 @@ class MESOGEN_EXPORT PluginRegistry {
 
   /// A new object each. Throw missing(), and Error if the plugin has no form for this precision and dimension.
   [[nodiscard]] PluginPointer<Kernel> make_kernel(std::string_view name) const;
-  [[nodiscard]] std::unique_ptr<Boundary> make_boundary(std::string_view name) const;
+  /// `length_unit`: of the case, for messages about places.
+  [[nodiscard]] std::unique_ptr<Boundary> make_boundary(std::string_view name, std::string length_unit = "m") const;
   [[nodiscard]] PluginPointer<Observer> make_observer(std::string_view name) const;
   [[nodiscard]] PluginPointer<Physics> make_physics(std::string_view name, Precision precision, int dimension) const;
   /// Has a physics plugin a library for CUDA?

@@ -49,7 +49,10 @@ class WorkContext final : public PassContext {
     if (dimension != world_.scene.dimension || (element_size == sizeof(float)) != world_.single())
       throw Error(ExitCode::plugin_refused,
                   "it asks for neighbours of another precision or dimension: take those of its class, Real and Dim");
-    if (!world_.settled())
+    // Whether they happen to be up to date for somebody else's pass does not count: a plugin that works beside one and
+    // not beside another would be no plugin.
+    const Pass& pass = work_.pass;
+    if (pass.neighbour_reads.empty() && !(pass.beside_sums && world_.settled()))
       throw Error(ExitCode::plugin_refused,
                   "it asks for neighbours, and declares none that it reads: name the fields that it reads at them in "
                   "the pass's reads_neighbours");

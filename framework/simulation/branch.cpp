@@ -32,26 +32,7 @@ void check_version(const fs::path& file, const Checkpoint& checkpoint) {
                                         checkpoint.version + ", this is " MESOGEN_VERSION);
 }
 
-/// All checkpoints of a run that can be read as far as their time, those that are kept for good first.
-std::vector<KeptCheckpoint> all_checkpoints(const fs::path& folder) {
-  std::vector<KeptCheckpoint> all = kept_checkpoints(folder);
-  for (const char* name : {"checkpoint_a.h5", "checkpoint_b.h5", "checkpoint_before_end.h5"}) {
-    std::error_code error;
-    if (!fs::exists(folder / name, error)) continue;
-    try {
-      const Checkpoint read = read_checkpoint(folder / name);
-      all.push_back({name, read.step, read.time});
-    } catch (const Error&) {
-      continue;  // damaged, or of a run that is just being replaced
-    }
-  }
-  return all;
-}
-
-[[noreturn]] void refuse_time(const fs::path& folder, double at, const std::vector<KeptCheckpoint>& all,
-                              const Units& units) {
-  std::vector<double> times;
-  for (const KeptCheckpoint& one : all) times.push_back(one.time);
+[[noreturn]] void refuse_time(const fs::path& folder, double at, std::vector<double> times, const Units& units) {
   std::ranges::sort(times);
   times.erase(std::unique(times.begin(), times.end(), same_time), times.end());
   std::ranges::stable_sort(times, {}, [&](double time) { return std::abs(time - at); });
@@ -68,17 +49,34 @@ std::vector<KeptCheckpoint> all_checkpoints(const fs::path& folder) {
                                           fmt::join(texts, ", "), units.time));
 }
 
+/// That of a time: one of those that are kept for good, or of the last. These are read once, since a run that goes on
+/// replaces them.
+Found find_checkpoint_at(const fs::path& folder, double at, const Units& units) {
+  std::vector<double> times;
+  for (const KeptCheckpoint& kept : kept_checkpoints(folder)) {
+    if (same_time(kept.time, at)) return {kept.name, read_checkpoint(folder / kept.name)};
+    times.push_back(kept.time);
+  }
+  for (const char* name : newest_checkpoint_names) {
+    std::error_code error;
+    if (!fs::exists(folder / name, error)) continue;
+    try {
+      Checkpoint read = read_checkpoint(folder / name);
+      if (same_time(read.time, at)) return {name, std::move(read)};
+      times.push_back(read.time);
+    } catch (const Error&) {
+      continue;  // damaged, or of a run that is just being replaced
+    }
+  }
+  refuse_time(folder, at, std::move(times), units);
+}
+
 Found find_checkpoint(const BranchPoint& from, const Units& units) {
   Found found;
-  if (!from.at) {
+  if (from.at)
+    found = find_checkpoint_at(from.folder, *from.at, units);
+  else
     found.checkpoint = read_newest_checkpoint(from.folder, &found.file);
-  } else {
-    const auto all = all_checkpoints(from.folder);
-    const auto at = std::ranges::find_if(all, [&](const KeptCheckpoint& one) { return same_time(one.time, *from.at); });
-    if (at == all.end()) refuse_time(from.folder, *from.at, all, units);
-    found.file = at->name;
-    found.checkpoint = read_checkpoint(from.folder / at->name);
-  }
   check_version(from.folder / found.file, found.checkpoint);
   return found;
 }

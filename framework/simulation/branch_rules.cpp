@@ -12,6 +12,7 @@
 #include "case/value.hpp"
 #include "simulation/planned_fields.hpp"
 #include "simulation/rounded_text.hpp"
+#include "time/marks.hpp"
 
 namespace mesogen {
 
@@ -120,7 +121,7 @@ void check_branched_setup(const Setup& before, const Setup& after, const Checkpo
     }
   check_fields(after, checkpoint, problems);
   check_numbers(after, checkpoint, problems);
-  if (!(source.time.end > checkpoint.time))
+  if (!(source.time.end > Arrival{checkpoint.time, checkpoint.step_size}.reaches()))
     problems.add(source.place("time.end"), "time.end",
                  fmt::format("must be later than the branch, t = {}, but is {}: say how long it is to go on, such as "
                              "--set time.end={}",

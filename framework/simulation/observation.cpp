@@ -1,7 +1,6 @@
 #include "simulation/observation.hpp"
 
 #include <algorithm>
-#include <limits>
 
 #include "plugin/plugin_call.hpp"
 #include "simulation/world_view.hpp"
@@ -55,11 +54,9 @@ void call(const World& world, const Setup::ObserverMember& member, const char* n
 
 Observation::Observation(Stepper& stepper) : stepper_(stepper) {
   for (const auto& member : stepper.setup().observers) {
-    timings_.push_back({member.timing.interval, member.timing.every});
     sampling_.push_back({"observers." + member.instance + ": sample", "plugin"});
     following_.push_back({"observers." + member.instance + ": follow", "plugin"});
   }
-  timings_.push_back({stepper.setup().source.output.interval, {}});
 }
 
 void Observation::declare(ResultsWriter& results) const {
@@ -77,18 +74,6 @@ void Observation::start() {
     call(stepper_.world(), member, "start()",
          [&] { member.plugin->start(DeclaredView(stepper_.world(), stepper_.setup(), member, false)); });
   }
-}
-
-double Observation::next(double time, double end) const {
-  double next = std::numeric_limits<double>::infinity();
-  for (const Timing& timing : timings_) next = std::min(next, timing.next(time, end));
-  return next;
-}
-
-std::vector<bool> Observation::due(double from, double to, std::int64_t steps, bool last) const {
-  std::vector<bool> due;
-  for (const Timing& timing : timings_) due.push_back(last || timing.due(from, to, steps));
-  return due;
 }
 
 void Observation::follow() {

@@ -8,7 +8,6 @@
 #include "output/frame.hpp"
 #include "output/results.hpp"
 #include "simulation/stepper.hpp"
-#include "time/timing.hpp"
 
 namespace mesogen {
 
@@ -21,12 +20,6 @@ class MESOGEN_EXPORT Observation {
   void declare(ResultsWriter& results) const;
   /// Before the first sample of a new run.
   void start();
-  /// The first time after `time`, s, for which a sample or a frame is asked, in a run to `end`; infinite if there is
-  /// none. See Timing::next.
-  [[nodiscard]] double next(double time, double end) const;
-  /// Which readers (the observers, then the output) read at the end of the step from `from` to `to`; all if it is the
-  /// last one.
-  [[nodiscard]] std::vector<bool> due(double from, double to, std::int64_t steps, bool last) const;
   /// Lets the observers follow that asked for it; after a step.
   void follow();
   /// What observer n records now.
@@ -34,7 +27,7 @@ class MESOGEN_EXPORT Observation {
   using TakeSample = std::function<void(const std::string& observer, const Sample& sample)>;
   /// After a step: observers that follow, and those that are due.
   void sample(const std::vector<bool>& due, const TakeSample& take);
-  /// The same for the results, and a frame if it is due.
+  /// The same for the results, and a frame if it is due. Readers: the observers, then the output.
   void observe(const std::vector<bool>& due, ResultsWriter& results);
   /// After the last step and observe(): samples and the frame of all who have none of this state yet, and who they are.
   EndRecords record_end(ResultsWriter& results);
@@ -52,8 +45,7 @@ class MESOGEN_EXPORT Observation {
   void record(const std::vector<bool>& due, ResultsWriter& results);
 
   Stepper& stepper_;
-  std::int64_t first_step_ = 0;  ///< observers follow the steps after it
-  std::vector<Timing> timings_;
+  std::int64_t first_step_ = 0;    ///< observers follow the steps after it
   std::vector<Counter> sampling_;  // of each observer
   std::vector<Counter> following_;
   Counter frames_{"output: frame", "output"};

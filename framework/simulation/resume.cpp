@@ -46,10 +46,8 @@ ExitCode resume_run(const PluginRegistry& registry, const RunOptions& options, c
   const auto setup = set_up(read_case_text(text, file, changes, problems), registry, problems);
   if (options.inspect) options.inspect(*setup);
   const double end = setup->source.time.end;
-  const bool changed = setup->resolved_text != text;
   if (!has_checkpoint(options.folder)) {
     log.info("no checkpoint was written yet: starting again from the beginning");
-    if (changed) replace_stored_case(options.folder, setup->resolved_text);
     return start_session_again(*setup, options, log, progress);
   }
   std::string which;
@@ -57,7 +55,8 @@ ExitCode resume_run(const PluginRegistry& registry, const RunOptions& options, c
   Checkpoint checkpoint = read_newest_checkpoint(
       options.folder, &which, &refused, [&](const Checkpoint& read) { return unfit(read, setup->resolved_text); });
   for (const std::string& reason : refused) log.warn(reason);
-  check_resumed_values(read_case_text(text, file, {}, problems), setup->source, checkpoint.time, problems);
+  check_resumed_values(read_case_text(text, file, {}, problems), setup->source, {checkpoint.time, checkpoint.step_size},
+                       problems);
   problems.throw_if_any();
   if (off_course(checkpoint, end))
     checkpoint = read_newest_checkpoint(options.folder, &which, nullptr, [&](const Checkpoint& read) -> std::string {
@@ -76,13 +75,12 @@ ExitCode resume_run(const PluginRegistry& registry, const RunOptions& options, c
           fmt::format("the run goes on, but not to the same bits: {} was written by code for other instruction sets "
                       "({}) than this processor or MESOGEN_SIMD chooses ({})",
                       which, checkpoint.instruction_sets, setup->instruction_sets));
-  } else if (!changed && ResultsWriter::are_finished(options.folder)) {
+  } else if (setup->resolved_text == text && ResultsWriter::are_finished(options.folder)) {
     log.info(finished_text(options.folder, checkpoint.time, setup->source.units));
     return ExitCode::done;
   } else {
     log.info("all steps are done: the results are put together");
   }
-  if (changed) replace_stored_case(options.folder, setup->resolved_text);
   return continue_session(*setup, checkpoint, options, log, progress);
 }
 

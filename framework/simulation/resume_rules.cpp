@@ -60,19 +60,19 @@ void check_resumed_keys(const std::vector<std::string>& changes, const std::stri
   }
 }
 
-void check_resumed_values(const Case& before, const Case& after, double time, Problems& problems) {
+void check_resumed_values(const Case& before, const Case& after, const Arrival& now, Problems& problems) {
   const SourcePlace place{"--set", 0, 0};
-  if (after.time.end < time && after.time.end != before.time.end)
+  if (after.time.end <= now.reaches() && after.time.end != before.time.end)
     problems.add(place, "time.end",
-                 fmt::format("must be {} or more, since the run has come that far, but is {}",
-                             time_text(time, after.units), time_text(after.time.end, after.units)));
+                 fmt::format("must be later than t = {}, since the run has come that far, but is {}",
+                             time_text(now.time, after.units), time_text(after.time.end, after.units)));
   const auto& times = after.output.checkpoint_times;
-  if (until(times, time) != until(before.output.checkpoint_times, time))
-    problems.add(
-        place, "output.checkpoint_times",
-        fmt::format("must stay as it was up to t = {}, where the run is now: [{}], and may name other times "
-                    "only after that",
-                    time_text(time, after.units), fmt::join(until(before.output.checkpoint_times, time), ", ")));
+  if (until(times, now.reaches()) != until(before.output.checkpoint_times, now.reaches()))
+    problems.add(place, "output.checkpoint_times",
+                 fmt::format("must stay as it was up to t = {}, where the run is now: [{}], and may name other times "
+                             "only after that",
+                             time_text(now.time, after.units),
+                             fmt::join(until(before.output.checkpoint_times, now.reaches()), ", ")));
 }
 
 std::string without_resumable_keys(std::string_view resolved_text) {

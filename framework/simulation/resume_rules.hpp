@@ -7,6 +7,7 @@
 #include "case/case.hpp"
 #include "case/problems.hpp"
 #include "mesogen/export.hpp"
+#include "time/marks.hpp"
 
 /// What of its case may change while a run goes on: keys with which the run so far is a run of the changed case as
 /// well. Everything else needs a branch.
@@ -19,8 +20,8 @@ MESOGEN_EXPORT const std::vector<std::string>& resumable_keys();
 MESOGEN_EXPORT void check_resumed_keys(const std::vector<std::string>& changes, const std::string& folder,
                                        Problems& problems);
 
-/// Adds a problem for each change that the run, which has come to `time` (s), contradicts.
-MESOGEN_EXPORT void check_resumed_values(const Case& before, const Case& after, double time, Problems& problems);
+/// Adds a problem for each change that the run, which has come so far, contradicts.
+MESOGEN_EXPORT void check_resumed_values(const Case& before, const Case& after, const Arrival& now, Problems& problems);
 
 /// A resolved case without those keys: the same text, the same run so far.
 MESOGEN_EXPORT std::string without_resumable_keys(std::string_view resolved_text);

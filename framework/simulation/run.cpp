@@ -1,10 +1,7 @@
 #include "simulation/run.hpp"
 
-#include <omp.h>
-
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <chrono>
 #include <limits>
 
@@ -12,13 +9,14 @@
 #include "output/run_folder.hpp"
 #include "plugin/crash.hpp"
 #include "simulation/cost_meter.hpp"
+#include "simulation/marks_of.hpp"
 #include "simulation/observation.hpp"
 #include "simulation/results_options.hpp"
 #include "simulation/rounded_text.hpp"
+#include "simulation/run_log.hpp"
 #include "simulation/run_session.hpp"
 #include "simulation/run_trace.hpp"
 #include "simulation/stepper.hpp"
-#include "time/kept_times.hpp"
 
 namespace mesogen {
 
@@ -40,7 +38,7 @@ class Run {
         stepper_(setup),
         observation_(stepper_),
         crash_(stepper_.world().step, stepper_.world().time, setup.source.units.time),
-        kept_(setup.source.output.checkpoint_times, setup.source.output.checkpoint_every) {
+        marks_(marks_of(setup)) {
     crash_.advise(fmt::format("no checkpoint was written yet: `mesogen resume {}` starts again from the beginning",
                               options_.folder.string()));
     log_.open_file(options.folder / "run.log");
@@ -51,10 +49,14 @@ class Run {
   Run(const Run&) = delete;
   Run& operator=(const Run&) = delete;
 
-  ExitCode begin() { return begin(ResultsWriter::create(results_options())); }
+  ExitCode begin() {
+    start();
+    return begin(ResultsWriter::create(results_options()));
+  }
 
   ExitCode begin_again() {
-    remove_kept_checkpoints(options_.folder, -1);
+    start();
+    make_way(-1);
     return begin(ResultsWriter::resume(results_options(), -1));
   }
 
@@ -63,14 +65,13 @@ class Run {
     before_ = checkpoint.cost;
     shortened_for_ = checkpoint.shortened_for;
     origin_ = checkpoint.origin;
-    remove_kept_checkpoints(options_.folder, checkpoint.step);
     if (checkpoint.starts_branch) return begin_branch(checkpoint);
     // Observers start where the run did; what they kept since then replaces that.
-    stepper_.start();
-    observation_.start();
+    start();
     stepper_.restore(checkpoint);
     saved_step_ = checkpoint.step;
     observation_.restore(checkpoint);
+    make_way(checkpoint.step);
     const EndRecords forgotten = checkpoint.time < end() ? checkpoint.end_records : EndRecords{};
     ResultsWriter results = ResultsWriter::resume(results_options(), checkpoint.step, forgotten);
     observation_.declare(results);
@@ -78,13 +79,26 @@ class Run {
   }
 
  private:
+  void start() {
+    stepper_.start();
+    observation_.start();
+  }
+
+  /// The state to go on from is there: the folder takes the case of this session, and what was kept later than that
+  /// state goes. (Results that are later go with ResultsWriter::resume.)
+  void make_way(std::int64_t step) {
+    if (stored_case(options_.folder) != setup_.resolved_text)
+      replace_stored_case(options_.folder, setup_.resolved_text);
+    remove_kept_checkpoints(options_.folder, step);
+  }
+
   ExitCode begin_branch(const Checkpoint& checkpoint) {
     stepper_.restore(checkpoint);
+    make_way(checkpoint.step);
     ResultsWriter results = ResultsWriter::resume(results_options(), -1);
     observation_.declare(results);
     // What passes make for readers is made as at the start of a run, which advances some of what a step goes on from.
-    stepper_.start();
-    observation_.start();
+    start();
     observation_.observe(everybody(), results);
     stepper_.restore(checkpoint);
     return go_on(results);
@@ -92,51 +106,17 @@ class Run {
 
   ExitCode begin(ResultsWriter results) {
     observation_.declare(results);
-    stepper_.start();
-    observation_.start();
     observation_.observe(everybody(), results);
-    const Stepper::Step step = stepper_.next_step(next_mark());
-    log_.info(fmt::format("{} particles, {} threads, {}, first step {} {} (limit: {})", setup_.scene.particle_count,
-                          omp_get_max_threads(), precision(), rounded_text(step.seconds), setup_.source.units.time,
-                          step.limit));
-    if (const std::string fitted = fitted_spacing_text(setup_.source); !fitted.empty())
-      log_.info("particles.spacing is " + rounded_text(setup_.scene.spacing) + " " + setup_.source.units.length + ": " +
-                fitted);
+    log_beginning(log_, setup_, stepper_.next_step(marks_, end()));
     return go_on(results);
   }
 
   [[nodiscard]] double end() const { return setup_.source.time.end; }
-  /// The next time for which something is asked in a run to `end`, s.
-  [[nodiscard]] double next_asked(double end) {
-    const double time = stepper_.world().time;
-    return std::min(observation_.next(time, end), kept_.next(time, end));
-  }
-  /// The next time on which a step is to end, s.
-  [[nodiscard]] double next_mark() {
-    const double next = next_asked(end());
-    return next > end() * (1.0 - 1e-12) ? end() : next;
-  }
   [[nodiscard]] std::vector<bool> everybody() const { return std::vector<bool>(setup_.observers.size() + 1, true); }
   [[nodiscard]] ResultsOptions results_options() const {
     ResultsOptions results = mesogen::results_options(setup_, options_.folder);
     results.origin = origin_;
     return results;
-  }
-  [[nodiscard]] std::string precision() const {
-    return setup_.scene.precision == Precision::single_precision ? "single precision" : "double precision";
-  }
-  void tell_device() {
-    if (!setup_.why_on_host.empty()) log_.info("computing on the host: " + setup_.why_on_host);
-    if (setup_.backend->on_host()) return;
-    log_.info("computing on " + setup_.backend->device());
-    for (const auto& member : setup_.physics)
-      if (!member.on_device)
-        log_.warn(member.instance + " computes on the host, since '" + member.type +
-                  "' has no code for CUDA: fields go there and back at every step");
-  }
-  void tell_changes() {
-    for (const std::string& change : stepper_.changes())
-      log_.info(fmt::format("t = {} {}, {}", rounded_text(stepper_.world().time), setup_.source.units.time, change));
   }
   [[nodiscard]] bool stopped() const { return options_.stop != nullptr && options_.stop->load(); }
 
@@ -180,7 +160,7 @@ class Run {
   /// Before the first step that is another one only because the run ends where it does.
   void keep_before_end(const Stepper::Step& step, ResultsWriter& results) {
     if (shortened_for_ == end()) return;
-    const Stepper::Step longer = stepper_.next_step(next_asked(std::numeric_limits<double>::infinity()));
+    const Stepper::Step longer = stepper_.next_step(marks_, std::numeric_limits<double>::infinity());
     if (step.seconds == longer.seconds && step.arrival == longer.arrival) return;
     const Span span(checkpoints_, trace_.trace());
     results.flush();
@@ -200,7 +180,7 @@ class Run {
 
   ExitCode go_on(ResultsWriter& results) {
     const World& world = stepper_.world();
-    tell_device();
+    log_device(log_, setup_);
     cost_.start(world.step, before_);
     if (saved_step_ != world.step) write_checkpoint(results);
     auto saved = Clock::now();
@@ -209,16 +189,16 @@ class Run {
     progress_.start(world.time, world.step, end(), setup_.source.units.time);
     try {
       while (world.time < end() && !stopped()) {
-        const Stepper::Step step = stepper_.next_step(next_mark());
+        const Stepper::Step step = stepper_.next_step(marks_, end());
         keep_before_end(step, results);
-        const double from = world.time;
+        const Arrival from = stepper_.arrival();
         const bool last = step.arrival >= end();
-        const auto due = observation_.due(from, step.arrival, world.step + 1, false);
+        const auto due = marks_.due(from, {step.arrival, step.seconds}, world.step + 1);
         stepper_.advance(step, last ? everybody() : due);
-        tell_changes();
+        log_changes(log_, setup_, stepper_);
         observation_.observe(due, results);
         progress_.update(world.time, world.step);
-        if (kept_.due(from, world.time)) keep_checkpoint();
+        if (marks_.keeps(from, stepper_.arrival())) keep_checkpoint();
         if (!last && seconds_since(saved) >= setup_.source.output.checkpoint_interval) {
           write_checkpoint(results);
           saved = Clock::now();
@@ -256,23 +236,8 @@ class Run {
 
   void report(std::int64_t steps, double seconds) {
     if (steps == 0) return;
-    log_.info(fmt::format("{} steps in {:.1f} s: {:.3f} ms a step, {:.3g} particle-steps/s; neighbours sorted {} times",
-                          steps, seconds, 1e3 * seconds / static_cast<double>(steps),
-                          static_cast<double>(steps) * setup_.scene.particle_count / seconds,
-                          stepper_.world().neighbourhood.sortings()));
-    if (!options_.profile) return;
-    // What was done before the first step belongs to no step.
-    auto all = shares();
-    for (std::size_t n = 0; n < all.size(); ++n) {
-      all[n].runs -= shares_before_[n].runs;
-      all[n].seconds -= shares_before_[n].seconds;
-    }
-    std::ranges::stable_sort(all, std::ranges::greater(), &Counter::seconds);
-    for (const Counter& share : all) {
-      if (share.runs == 0) continue;
-      log_.info(fmt::format("{:6.2f} %  {:9.3f} ms a step  {:8} runs  {}", 100.0 * share.seconds / seconds,
-                            1e3 * share.seconds / static_cast<double>(steps), share.runs, share.title));
-    }
+    log_speed(log_, setup_, steps, seconds, stepper_.world().neighbourhood.sortings());
+    if (options_.profile) log_shares(log_, shares(), shares_before_, steps, seconds);
   }
 
   [[nodiscard]] std::vector<Counter> shares() const {
@@ -291,7 +256,7 @@ class Run {
   Observation observation_;
   CrashAdvice crash_;
   Counter checkpoints_{"output: checkpoint", "output"};
-  KeptTimes kept_;
+  Marks marks_;
   CostMeter cost_;
   RunCost before_;                       ///< of earlier sessions
   std::optional<double> shortened_for_;  ///< see Checkpoint

@@ -27,8 +27,8 @@ std::string range_problem(const Case& source, const sph::SmoothingKernel& kernel
   const double spacing = source.particles.spacing;
   if (spacing >= lowest && spacing <= highest) return {};
   return "is beyond what the kernel's numbers can be in " + std::string(single ? "single" : "double") +
-         " precision: spacings go from " + rounded_text(lowest) + " to " + rounded_text(highest) + " m; take " +
-         (single ? "run.precision = \"double\", or " : "") + "another unit of length";
+         " precision: spacings go from " + rounded_text(lowest) + " to " + rounded_text(highest) + " " +
+         source.units.length + "; take " + (single ? "run.precision = \"double\", or " : "") + "another unit of length";
 }
 
 int shortest_axis(const Case& source) {

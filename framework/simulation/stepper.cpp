@@ -105,14 +105,17 @@ void Stepper::start() {
 }
 
 Stepper::Step Stepper::next_step(double mark) const {
-  const StepControl::Choice choice = control_.choose(motion_.fastest, motion_.largest_acceleration);
-  const double left = mark - world_.time;
-  const double count = std::max(1.0, std::ceil(left / choice.seconds * (1.0 - 1e-9)));
-  Step step{choice.seconds, mark, choice.limit};
-  // Steps that lead there as they are stay so to the last bit: then the marks between them do not matter.
-  if (!(left / count > choice.seconds * (1.0 - 1e-9))) step.seconds = left / count;
-  if (count > 1.0) step.arrival = arrival_after(step.seconds);
-  return step;
+  const StepControl::Choice longest = longest_step();
+  const EqualSteps steps = equal_steps(mark - world_.time, longest.seconds);
+  return {steps.seconds, steps.count > 1.0 ? arrival_after(steps.seconds) : mark, longest.limit};
+}
+
+Stepper::Step Stepper::next_step(const Marks& marks, double end) const {
+  return next_step(marks.next(arrival(), end, longest_step().seconds));
+}
+
+StepControl::Choice Stepper::longest_step() const {
+  return control_.choose(motion_.fastest, motion_.largest_acceleration);
 }
 
 // In a run of equal steps the time is a multiple of the step, however it was reached.
@@ -191,7 +194,8 @@ void Stepper::save(Checkpoint& checkpoint) {
       for (Index i = 0; i < world_.particles.count(); ++i) values[static_cast<std::size_t>(i)] = field.value(c, i);
     }
   }
-  if (integrator_.velocity_by_passes()) checkpoint.numbers["largest acceleration"] = {motion_.largest_acceleration};
+  // The next step goes by it. What it was found in is not always saved: a rate is, if its field is predicted by it.
+  checkpoint.numbers["largest acceleration"] = {motion_.largest_acceleration};
   for (const auto& member : setup_.physics) {
     for (const auto& kept : member.passes.kept()) {
       const auto numbers = numbers_of(member, kept);
@@ -254,9 +258,7 @@ void Stepper::restore(const Checkpoint& checkpoint) {
   ask_limits();
   sorted_alike ? world_.restore_order(sorted) : world_.sort_anew();
   motion_.fastest = integrator_.fastest();
-  motion_.largest_acceleration = integrator_.velocity_by_passes()
-                                     ? take_of(checkpoint.numbers, "largest acceleration", 1, "numbers").front()
-                                     : integrator_.largest_acceleration();
+  motion_.largest_acceleration = take_of(checkpoint.numbers, "largest acceleration", 1, "numbers").front();
 }
 
 std::vector<Counter> Stepper::shares() const {

@@ -13,6 +13,7 @@
 #include "simulation/setup.hpp"
 #include "simulation/watches.hpp"
 #include "time/integrator.hpp"
+#include "time/marks.hpp"
 #include "time/step_control.hpp"
 
 namespace mesogen {
@@ -33,6 +34,8 @@ class MESOGEN_EXPORT Stepper {
   /// The next step on the way to `mark`, a time after now on which a step is to end: the way is cut into equal steps,
   /// as few as may be. So steps are shortened by little, and none is tiny.
   [[nodiscard]] Step next_step(double mark) const;
+  /// The next step on the way to the next of these marks in a run to `end`, s.
+  [[nodiscard]] Step next_step(const Marks& marks, double end) const;
   /// One step. `reader_due` tells which readers will read at its end. Throws Error(run_failed) if the run broke down.
   void advance(const Step& step, const std::vector<bool>& reader_due);
 
@@ -40,6 +43,8 @@ class MESOGEN_EXPORT Stepper {
   [[nodiscard]] Executor& executor() { return executor_; }
   /// What plugins changed of themselves after the last step, for the log.
   [[nodiscard]] const std::vector<std::string>& changes() const { return changes_; }
+  /// Where the last step ended.
+  [[nodiscard]] Arrival arrival() const { return {world_.time, world_.step_size}; }
   /// Largest speed after the last step, m/s.
   [[nodiscard]] double fastest() const { return motion_.fastest; }
   [[nodiscard]] const StepControl& control() const { return control_; }
@@ -56,6 +61,7 @@ class MESOGEN_EXPORT Stepper {
   void set_initial_fields();
   void keep_order();
   void ask_limits();
+  [[nodiscard]] StepControl::Choice longest_step() const;
   [[nodiscard]] double arrival_after(double step_size) const;
 
   Setup& setup_;

@@ -11,6 +11,8 @@ namespace {
 /// A time that falls short of another by rounding has reached it.
 double reached(double time) { return time + 1e-12 * std::abs(time); }
 
+bool same(double one, double other) { return one <= reached(other) && other <= reached(one); }
+
 }  // namespace
 
 KeptTimes::KeptTimes(std::vector<double> times, std::optional<double> every)
@@ -25,5 +27,19 @@ double KeptTimes::next(double time, double end) const {
 }
 
 bool KeptTimes::due(double from, double to) const { return next(from) <= reached(to); }
+
+bool KeptTimes::has(double time) const {
+  return every_.has(time) || std::ranges::any_of(times_, [&](double one) { return same(one, time); });
+}
+
+double KeptTimes::count(double end) const {
+  std::vector<double> times;
+  for (const double time : times_)
+    if (time > 0.0 && time <= reached(end)) times.push_back(time);
+  times.erase(std::ranges::unique(times, same).begin(), times.end());
+  // Those that are multiples too count once.
+  std::erase_if(times, [&](double time) { return every_.has(time); });
+  return every_.count(end) + static_cast<double>(times.size());
+}
 
 }  // namespace mesogen

@@ -19,6 +19,10 @@ class MESOGEN_EXPORT KeptTimes {
   [[nodiscard]] double next(double time, double end = std::numeric_limits<double>::infinity()) const;
   /// Does the step from `from` to `to` (s) reach one?
   [[nodiscard]] bool due(double from, double to) const;
+  /// Is this time, s, one of them?
+  [[nodiscard]] bool has(double time) const;
+  /// How many there are in a run to `end`, s.
+  [[nodiscard]] double count(double end) const;
 
  private:
   std::vector<double> times_;  // ascending

@@ -23,6 +23,12 @@ struct MESOGEN_EXPORT Timing {
   [[nodiscard]] double next(double time, double end = std::numeric_limits<double>::infinity()) const;
   /// Does it happen at the end of the step from `from` to `to` (s), the one that makes `steps` of them?
   [[nodiscard]] bool due(double from, double to, std::int64_t steps) const;
+  /// Is this time, s, one of them, whenever a run ends? Of those that go by simulated time.
+  [[nodiscard]] bool has(double time) const;
+  /// How many of the times after the start have come by `time`, s; of those that go by simulated time.
+  [[nodiscard]] double count(double time) const;
+  /// How often it happens in a run to `end`, s, of so many steps, beside the start: at its times, and at the end.
+  [[nodiscard]] double count_in_run(double end, double steps) const;
 };
 
 }  // namespace mesogen

@@ -14,7 +14,7 @@ EMPTY = 1e-9  # sums of weights below this are of cells without particles
 class Grid:
     """A grid of nx x ny cells over a box with its origin at 0.
 
-    box: (Lx, Ly) in m. shape: (nx, ny), at least 4 each. periodic: by axis; False between walls.
+    box: (Lx, Ly). shape: (nx, ny), at least 4 each. periodic: by axis; False between walls.
     """
 
     def __init__(self, box, shape, periodic=(True, True)):
@@ -37,7 +37,7 @@ class Grid:
         return cls(box, np.maximum(4, np.rint(box / spacing)).astype(int), periodic)
 
     def __repr__(self):
-        return f"<mesogen.Grid {self.shape[1]} x {self.shape[0]} cells over {self.box[0]:g} m x {self.box[1]:g} m>"
+        return f"<mesogen.Grid {self.shape[1]} x {self.shape[0]} cells over {self.box[0]:g} x {self.box[1]:g}>"
 
 
 class Deposit:

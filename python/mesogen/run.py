@@ -9,7 +9,7 @@ import numpy as np
 
 from . import nematics
 from .errors import MesogenError, NoResults, NoSuchName, missing
-from .units import plain
+from .units import stored_unit
 
 GROUP = "particles/fluid"
 
@@ -74,7 +74,7 @@ class Run:
         if not self._file:
             return f"<mesogen.Run {self.folder!r}, closed>"
         times = self.times
-        span = f"{len(times)} frames to t = {times[-1]:g} s" if len(times) else "no frames"
+        span = f"{len(times)} frames to t = {times[-1]:g} {self.time_unit}" if len(times) else "no frames"
         return f"<mesogen.Run {self.folder!r}: {self.count} particles, {span}, fields {', '.join(self.fields)}>"
 
     # ---- the case -------------------------------------------------------------------------------------------------
@@ -208,13 +208,13 @@ class Run:
 
     def unit(self, name):
         """Unit of a field, as text; "1" for numbers."""
-        return _unit(self._frames_of(name))
+        return stored_unit(self._frames_of(name)["value"])
 
     @property
     def length_unit(self):
         """Unit of lengths, as text: "m", or what the case says in [units]."""
         edges = self._file.get(f"{GROUP}/box/edges")
-        return "m" if edges is None else _word(edges, "m")
+        return "m" if edges is None else stored_unit(edges, "m")
 
     @property
     def time_unit(self):
@@ -222,7 +222,7 @@ class Run:
         for name in ["position", *self.fields]:
             times = self._file.get(f"{GROUP}/{name}/time")
             if times is not None:
-                return _word(times, "s")
+                return stored_unit(times, "s")
         return "s"
 
     @property
@@ -275,7 +275,7 @@ class Run:
 
     def series_unit(self, observer, quantity):
         """Unit of a recorded quantity, as text; "1" for numbers."""
-        return _unit(self._recorded(observer, quantity))
+        return stored_unit(self._recorded(observer, quantity)["value"])
 
     def table(self, observer, quantity, sample=-1):
         """One sample of a table without its padding, shape (rows, columns)."""
@@ -300,14 +300,3 @@ def _opened(file):
         return h5py.File(file, "r")
     except OSError:
         return h5py.File(file, "r", locking=False)
-
-
-def _unit(stored):
-    """As it is usually written; of the columns of a table, "m, m, rad"."""
-    return _word(stored["value"], "1")
-
-
-def _word(dataset, default):
-    """The unit of a dataset, as it is usually written."""
-    unit = dataset.attrs.get("unit", dataset.attrs.get("unit_text", default))
-    return plain(unit.decode() if isinstance(unit, bytes) else str(unit))

@@ -81,6 +81,8 @@ class Interpolation(unittest.TestCase):
 
     def test_of_few_samples(self):
         self.assertEqual(measures.interpolate(np.array([0.0, 2.0]), np.array([1.0, 3.0]), 1.0), 2.0)
+        with self.assertRaisesRegex(StudyError, r"^the answer is for t = 5 ms, but the series was recorded from t = 0 to 2 ms$"):
+            measures.interpolate(np.array([0.0, 2.0]), np.array([1.0, 3.0]), 5.0, "ms")
         self.assertEqual(measures.interpolate(np.array([1.0]), np.array([4.0]), 1.0), 4.0)
 
 

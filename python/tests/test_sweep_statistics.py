@@ -55,6 +55,8 @@ class TimeMean(unittest.TestCase):
         nothing = time_mean(time, time, 20.0, 30.0)
         self.assertEqual((nothing.known, nothing.problem),
                          (False, "has no sample after 20 s up to 30 s; the last is at 9 s"))
+        self.assertEqual(time_mean(time, time, 20.0, 30.0, unit="ms").problem,
+                         "has no sample after 20 ms up to 30 ms; the last is at 9 ms")
         self.assertEqual(time_mean(time, np.full(10, math.nan), 0.0, math.inf).problem, "is not a number in any sample")
         few = time_mean(time, time, 6.0, math.inf)
         self.assertEqual((few.mean, few.problem), (8.0, "has 3 samples, too few for 4 blocks"))

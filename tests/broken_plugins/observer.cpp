@@ -22,6 +22,9 @@ class Misbehaving final : public Observer {
     plan.scalar("nothing");
     plan.follow_every_step();
   }
+  void start(const ObserverContext&) override {
+    if (misdeed_ == "start throws") throw std::runtime_error("not yet");
+  }
   void sample(const ObserverContext& context, Sample& sample) override {
     if (misdeed_ == "reads undeclared") (void)context.values("density");
     if (misdeed_ == "sample throws" && context.step() > 1) throw 42;

@@ -1,9 +1,12 @@
 """branch: a new run from a checkpoint of another."""
 
+import fcntl
 import os
 import shutil
+import signal
 import unittest
 
+import checkpoints
 import h5py
 import numpy
 from support import BROKEN_PLUGINS, CASE, CommandTest
@@ -140,6 +143,37 @@ class Branches(CommandTest):
         self.assertEqual(fingerprint(self.path("out")), before)
         _, err = self.mesogen("branch", "nothing", "new", code=2)
         self.assertIn("nothing holds no run", err)
+
+
+class BranchesOfARunThatGoesOn(CommandTest):
+    """A run replaces its newest checkpoints; a branch starts from what it found."""
+
+    def replace_when_opened(self, file, other):
+        """Whoever opens `file` gets what it holds now; who opens it once more, what `other` holds."""
+        holder = os.open(file, os.O_RDWR)
+        opened = []
+
+        def replace(*_):
+            opened.append(file)
+            os.replace(other, file)
+            fcntl.fcntl(holder, fcntl.F_SETLEASE, fcntl.F_UNLCK)
+
+        before = signal.signal(signal.SIGIO, replace)
+        self.addCleanup(signal.signal, signal.SIGIO, before)
+        self.addCleanup(os.close, holder)
+        fcntl.fcntl(holder, fcntl.F_SETLEASE, fcntl.F_WRLCK)
+        return opened
+
+    def test_a_checkpoint_that_is_replaced_meanwhile(self):
+        self.mesogen("run", self.write_case(), "--output", "out", "--quiet")
+        newest, older = checkpoints.newest(self.path("out"))
+        opened = self.replace_when_opened(newest, older)
+        _, err = self.mesogen("branch", "out", "new", "--at", "0.1", "--set", "time.end=0.12")
+        self.assertEqual(opened, [newest])
+        self.assertIn(f"branching from out/{os.path.basename(newest)} at t = 0.1 s", err)
+        with h5py.File(self.path("new", "results.h5"), "r") as file:
+            self.assertEqual(file["parameters/branched_from"].attrs["time"], 0.1)
+            self.assertEqual(list(file["particles/fluid/position/time"]), [0.1, 0.12])
 
 
 if __name__ == "__main__":

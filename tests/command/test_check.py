@@ -1,9 +1,8 @@
-"""check: what is told of a case, for people and for programs, and how well memory is predicted."""
+"""check: what is told of a case, for people and for programs."""
 
 import json
 import os
 import re
-import resource
 import subprocess
 import sys
 import unittest
@@ -12,31 +11,6 @@ from support import CASE, MESOGEN, PROJECT, CommandTest
 
 sys.path.insert(0, os.path.join(PROJECT, "python"))
 import mesogen  # noqa: E402
-
-# A nematic without flow, large enough for its particles to matter.
-STILL = """\
-[domain]
-size = [4.0, 4.0]
-boundary = "periodic_ghosts"
-[particles]
-spacing = 0.02
-[kernel]
-type = "quintic"
-[director]
-type = "perturbed"
-amplitude = 0.1
-[physics.nematic]
-type = "beris_edwards"
-rotational_diffusivity = 0.4
-flow_alignment = 0.7
-elastic_constant = 0.02
-bulk = { A = -1.0, C = 0.5 }
-[time]
-end = 0.05
-[run]
-precision = "single"
-"""
-
 
 # Passive, between walls; sound limits its steps to some 0.02 s.
 SOON_OVER = """\
@@ -78,7 +52,7 @@ class Check(CommandTest):
         self.assertRegex(out, r"(?m)^  steps +\d+ or more$")
         self.assertRegex(out, r"(?m)^  wall time +\S+ (s|min) or more with \d threads?: \S+ ms a step \(from \d+ steps\)$")
         self.assertRegex(out, r"(?m)^  memory +\S+ MB$")
-        self.assertRegex(out, r"(?m)^  disk +\S+ MB: 3 frames of \S+ MB, two checkpoints of \S+ MB$")
+        self.assertRegex(out, r"(?m)^  disk +\S+ MB: 3 frames of \S+ MB, 2 checkpoints of \S+ MB$")
         self.assertRegex(out, r"(?m)^  sound: .* s   binds$")
         self.assertEqual(os.listdir(self.folder), ["case.toml"])
 
@@ -108,6 +82,23 @@ class Check(CommandTest):
         told = self.check()
         self.mesogen("run", self.path("case.toml"), "--output", "out")
         self.assertEqual(told["steps"]["steps_at_least"], mesogen.open(self.path("out")).cost.steps)
+        # Steps are cut to end on samples, frames and kept checkpoints: by a tenth of a step, by half of one.
+        for setting in ("observers.flow.interval=0.0007", "output.interval=0.021", "output.checkpoint_every=0.0013",
+                        "output.checkpoint_times=[0.0301, 0.0302, 0.07]"):
+            told = self.check("--set", setting, "--set", "time.step=0.001")
+            self.mesogen("run", self.path("case.toml"), "--set", setting, "--set", "time.step=0.001", "--output", "out",
+                         "--overwrite", "--quiet")
+            self.assertEqual(told["steps"]["steps_at_least"], mesogen.open(self.path("out")).cost.steps, setting)
+            stored = [name for _, _, names in os.walk(self.path("out")) for name in names
+                      if name.startswith(("checkpoint_", "step"))]
+            self.assertEqual(told["disk"]["checkpoints"], len(stored), setting)
+        # 0.06 s and 0.060000000002 s are one time, at which both read.
+        nearly = ("--set", "observers.flow.interval=0.03", "--set", "output.interval=0.030000000001", "--set",
+                  "time.step=0.001")
+        self.mesogen("run", self.path("case.toml"), *nearly, "--output", "out", "--overwrite", "--quiet")
+        run = mesogen.open(self.path("out"))
+        self.assertEqual((self.check(*nearly)["steps"]["steps_at_least"], run.cost.steps), (100, 100))
+        self.assertEqual([len(run.times), len(run.series("flow", "v_rms")[0])], [5, 5])
         fixed = self.check("--set", "time.step=1e-3")["steps"]
         self.assertEqual((fixed["fixed"], fixed["steps_at_least"], fixed["binds"]), (True, 100, "time.step of the case"))
 
@@ -151,7 +142,7 @@ class Check(CommandTest):
         self.assertRegex(out, r"(?m)^advice\n(?:.*\n)*  the step is 0\.5 of what is stable\n"
                               r"      --set time\.factor=1\n"
                               r"      up to 2 times fewer steps, and as good an answer\n"
-                              r"      steps 23 -> 12\n")
+                              r"      steps 24 -> 12\n")
         told = {one["name"]: one for one in self.check(*arguments)["advice"]}
         self.assertEqual(told["short_step"]["settings"], ["time.factor=1"])
         self.assertEqual(told["short_step"]["steps"], 12)
@@ -219,101 +210,6 @@ class Check(CommandTest):
                     self.assertNotEqual(line, "", "the run ended without a warning")
                 run.kill()
         self.assertEqual(self.mesogen("check", case, "--quick")[1], "")
-
-    def test_disk_that_is_too_small(self):
-        case = self.write_case()
-        out, err = self.mesogen("check", case, "--quick", "--set", "output.interval=1e-11", code=2)
-        self.assertRegex(err, r"^error: --set: output\.interval: 1e\+10 frames of 0\.0184 MB and two checkpoints take "
-                              r"\S+ GB of disk, frames twice while they are packed at the end, where \S+ GB are free; an "
-                              r"interval of \S+ s or more fits\n$")
-        self.assertIn("case.toml cannot be run here\n", out)
-        interval = re.search(r"interval of (\S+) s or more fits", err)[1]
-        out, _ = self.mesogen("check", case, "--quick", "--set", f"output.interval={interval}")
-        self.assertIn("case.toml can be run\n", out)
-
-    def test_samples_that_do_not_fit_the_memory(self):
-        case = self.write_case()
-        for command in (["check", case, "--quick"], ["run", case, "--output", "out"]):
-            _, err = self.mesogen(*command, "--set", "observers.flow.interval=1e-13", code=2)
-            self.assertRegex(err, r"^error: --set: observers\.flow\.interval: 1e\+12 samples are kept in memory until the "
-                                  r"run ends and take \S+ GB, where \S+ GB are available; take at least \S+ s\n$")
-        self.assertFalse(os.path.exists(self.path("out")))
-        interval = re.search(r"take at least (\S+) s", err)[1]
-        self.mesogen("check", case, "--quick", "--set", f"observers.flow.interval={interval}")
-
-    def test_memory_of_a_large_case_is_told_without_taking_it(self):
-        case = self.write_case(STILL.replace("0.02\n[kernel]", "0.002\n[kernel]"))  # 4 million particles
-        out, _ = self.mesogen("check", case, "--quick")
-        self.assertRegex(out, r"(?m)^  memory +\S+ GB")
-
-
-@unittest.skipIf(os.environ.get("SANITIZED"), "sanitizers have a memory of their own")
-class Memory(CommandTest):
-    """The peak of a run is predicted within a fifth: from the case alone, for a small run and for large ones."""
-
-    def expect_predicted(self, text, *settings):
-        case = self.write_case(text)
-        told = json.loads(self.mesogen("check", case, *settings, "--quick", "--json")[0])["memory"]["peak"]
-        self.mesogen("run", case, *settings, "--output", "out", "--overwrite", "--quiet")
-        found = mesogen.open(self.path("out")).cost.peak_memory
-        self.assertLess(abs(told - found), 0.2 * found, f"{told / 1e6} MB predicted, {found / 1e6} MB resident")
-
-    def test_small_run(self):
-        self.expect_predicted(CASE)
-
-    def test_large_run_with_flow(self):
-        self.expect_predicted(CASE, "--set", "particles.spacing=0.008", "--set", "time.end=0.001")
-
-    def test_large_run_without_flow(self):
-        self.expect_predicted(STILL)
-
-
-@unittest.skipIf(os.environ.get("SANITIZED"), "sanitizers take an address space beyond all limits")
-class TooLittleMemory(CommandTest):
-    """What needs more memory than there is is refused before anything is written, with what fits."""
-
-    def limited(self, *arguments, code, megabytes=4096):
-        """The command with so much address space, as by ulimit -v."""
-        done = subprocess.run([MESOGEN, *arguments], cwd=self.folder, env=self.environment(), text=True, check=False,
-                              capture_output=True, timeout=300,
-                              preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_AS, (megabytes << 20, megabytes << 20)))
-        self.assertEqual(done.returncode, code, done.stdout + done.stderr)
-        return done.stdout, done.stderr
-
-    def refusal(self, *arguments):
-        _, err = self.limited(*arguments, code=2)
-        found = re.match(r"error: \S*: particles\.spacing: \S+ particles need (\S+) GB of memory, where (\S+) GB are "
-                         r"available; (\S+) particles fit, with a spacing of (\S+) m\n$", err)
-        self.assertIsNotNone(found, err)
-        return [float(number) for number in found.groups()]
-
-    def test_particles_are_refused_with_how_many_fit(self):
-        case = self.write_case()
-        # Twice what there is, of which all is known; 400 times that, where the positions alone would not fit.
-        for spacing in ("0.00045", "4e-5"):
-            for verb in (["check"], ["check", "--quick"], ["check", "--json"], ["run", "--output", "out"]):
-                needed, available, fit, fitting = self.refusal(verb[0], case, *verb[1:], "--set", f"particles.spacing={spacing}")
-                self.assertGreater(needed, available)
-                self.assertLess(available, 4.3)
-                self.assertAlmostEqual(fit, (1.6 / fitting) ** 2, delta=2e-5 * fit)
-        self.assertFalse(os.path.exists(self.path("out")))
-        arguments = ("--set", f"particles.spacing={fitting!r}")
-        told = json.loads(self.limited("check", case, "--quick", "--json", *arguments, code=0)[0])["memory"]
-        self.assertLess(told["peak"], told["available"])
-        self.assertGreater(told["peak"], 0.6 * told["available"], "more would fit")
-
-    def test_what_is_said_to_fit_runs(self):
-        case = self.write_case()
-        shortly = ("--set", "time.end=1e-5", "--set", "run.precision=\"single\"")
-        arguments = ("run", case, "--output", "out", *shortly)
-        _, err = self.limited(*arguments, "--set", "particles.spacing=1e-3", code=2, megabytes=1024)
-        spacing = re.search(r"with a spacing of (\S+) m", err)[1]
-        self.limited(*arguments, "--set", f"particles.spacing={spacing}", code=0, megabytes=1024)
-
-    def test_resume_where_there_is_less(self):
-        self.mesogen("run", self.write_case(), "--output", "out", "--set", "particles.spacing=0.003", "--set", "time.end=1e-5")
-        _, err = self.limited("resume", "out", code=2, megabytes=256)
-        self.assertRegex(err, r"out/case\.toml:\d+:\d+: particles\.spacing: \S+ particles need ")
 
 
 if __name__ == "__main__":

@@ -8,7 +8,9 @@ import unittest
 import checkpoints
 import h5py
 import numpy
-from support import CASE, CommandTest
+from support import BROKEN_PLUGINS, CASE, CommandTest
+from test_branch import KEEPING
+from test_extend import fingerprint
 
 SHORT = CASE.replace("[output]", "[output]\ncheckpoint_interval = 0.001").replace(
     "end = 0.1", "end = 0.2").replace("[observers.flow]\ntype = \"flow_statistics\"\ninterval = 0.05\n", "")
@@ -90,6 +92,40 @@ class BadCheckpoints(CommandTest):
         _, err = self.mesogen("resume", "out", code=2)
         for name in ("checkpoint_a.h5", "checkpoint_b.h5"):
             self.assertIn(f"{name}: it belongs to another case than case.toml", err)
+
+
+class CheckpointsThatCannotBeRestored(CommandTest):
+    """Nothing makes way before the run goes on: the restore may yet fail."""
+
+    def setUp(self):
+        super().setUp()
+        self.mesogen("run", self.write_case(KEEPING), "--output", "out", "--quiet")
+        self.kept = sorted(os.listdir(self.path("out", "checkpoints")))
+
+    def expect_untouched(self, expected, *arguments, code=2):
+        def files():
+            return {file: facts for file, facts in fingerprint(self.path("out")).items() if not file.endswith("run.log")}
+
+        before = files()
+        _, err = self.mesogen("resume", "out", *arguments, code=code)
+        self.assertIn(expected, err)
+        self.assertEqual(files(), before)
+
+    def test_an_observer_is_missing(self):
+        newest, older = checkpoints.newest(self.path("out"))
+        os.remove(older)
+        shutil.copy(self.path("out", "checkpoints", self.kept[1]), newest)  # all others are kept since
+        checkpoints.change(newest, lambda file: file["observers"].__delitem__("flow"))
+        self.expect_untouched("the checkpoint knows no observer 'flow'", "--set", "time.end=0.25")
+
+    def test_a_plugin_that_fails_as_it_starts_again(self):
+        # The checkpoints that a run goes on from are lost; those that it kept are not.
+        for name in os.listdir(self.path("out")):
+            if name.startswith("checkpoint_"):
+                os.remove(self.path("out", name))
+        with open(self.path("out", "case.toml"), "a", encoding="utf-8") as file:
+            file.write('[observers.bad]\ntype = "misbehaving"\nmisdeed = "start throws"\n')
+        self.expect_untouched("not yet", "--plugin-path", os.path.join(BROKEN_PLUGINS, "misbehaving"), code=1)
 
 
 if __name__ == "__main__":

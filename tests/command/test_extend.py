@@ -131,12 +131,26 @@ class ExtendedRuns(CommandTest):
                  "run.device, title"),
                 ("output.interval=0.01", "output.interval: cannot change while a run goes on"),
                 ("time={end=1.0}", "time: cannot change while a run goes on"),
-                ("time.end=0.05", "time.end: must be 0.1 s or more, since the run has come that far, but is 0.05 s"),
+                ("time.end=0.05", "time.end: must be later than t = 0.1 s, since the run has come that far, but is "
+                                   "0.05 s"),
                 ("output.checkpoint_times=[0.05, 0.2]",
                  "output.checkpoint_times: must stay as it was up to t = 0.1 s, where the run is now: [], and may name "
                  "other times only after that")):
             _, err = self.mesogen("resume", "out", "--set", change, code=2)
             self.assertIn(expected, err)
+            self.assertEqual(fingerprint(self.path("out")), before)
+
+    def test_an_end_where_the_run_has_come_to_is_refused(self):
+        self.run_to(0.1, "out")
+        case = self.path("out", "case.toml")
+        with open(case, encoding="utf-8") as file:
+            text = file.read()
+        with open(case, "w", encoding="utf-8") as file:
+            file.write(text.replace("end = 0.1\n", "end = 0.2\n"))  # as if it was broken off at 0.1
+        before = fingerprint(self.path("out"))
+        for end in ("0.1", "0.1000000001"):
+            _, err = self.mesogen("resume", "out", "--set", f"time.end={end}", code=2)
+            self.assertIn("time.end: must be later than t = 0.1 s, since the run has come that far, but is 0.1 s", err)
             self.assertEqual(fingerprint(self.path("out")), before)
 
     def test_checkpoints_can_be_asked_for_later(self):

@@ -104,6 +104,12 @@ class Refusals(SweepTest):
         self.assertRegex(err, r"^error: out holds the runs of /\S+/sweep\.toml, another sweep: give --output DIR, or rename "
                               r"other/sweep\.toml\n$")
 
+    def test_a_span_without_samples_in_the_units_of_the_case(self):
+        with open(self.path("case.toml"), "a", encoding="utf-8") as file:
+            file.write('[units]\ntime = "ms"\n')
+        self.assertEqual(self.refusal(SWEEP.replace("from = 0.02", "from = 5.0")),
+                         "error: sweep.toml: quantity[1].from: 5 ms, but no run goes on beyond 'time.end' = 0.1 ms\n")
+
     def test_a_span_without_samples(self):
         self.assertEqual(self.refusal(SWEEP.replace("from = 0.02", "from = 5.0")),
                          "error: sweep.toml: quantity[1].from: 5 s, but no run goes on beyond 'time.end' = 0.1 s\n")

@@ -4,7 +4,7 @@ import os
 import sys
 
 import numpy as np
-from support import PROJECT, CommandTest
+from support import BROKEN_PLUGINS, PROJECT, CommandTest
 
 sys.path.insert(0, os.path.join(PROJECT, "python"))
 import mesogen  # noqa: E402
@@ -74,6 +74,11 @@ class Units(CommandTest):
             self.assertIn("um", run.unit("velocity"))
             self.assertIn("pN", run.series_unit("flow", "density_min"))
             self.assertEqual(run.box[0], 40.0)
+            self.assertIn("800 particles, 2 frames to t = 0.02 s", repr(run))
+        text = FILM.format(**FILM_UNITS, precision="single") + UNITS.replace('"s"', '"ms"')
+        self.mesogen("run", self.write_case(text), "--output", "ms", "--quiet")
+        with mesogen.open(self.path("ms")) as run:
+            self.assertIn("800 particles, 2 frames to t = 0.02 ms", repr(run))
 
     def test_messages_and_numbers_are_in_them(self):
         case = self.write_case(FILM.format(**FILM_UNITS, precision="single") + UNITS)
@@ -85,6 +90,35 @@ class Units(CommandTest):
         self.assertIn("physics.flow.viscosity: must be > 0 pN s/um2, but is 0", err)
         _, err = self.mesogen("check", case, "--quick", "--set", "units.length=1e-6", code=2)
         self.assertIn("units.length: must be a text, but is 1e-06", err)
+
+    def test_refusals_are_in_them(self):
+        text = FILM.format(**FILM_UNITS, precision="single") + UNITS.replace('"s"', '"ms"')
+        defects = text.replace('type = "modes"\nmodes = [[1, 1, 0.1, 0.3], [2, 1, 0.05, 1.1]]',
+                               'type = "defects"\ndefects = [[10.0, 30.0, 0.5]]')
+        for wrong, settings, expected in (
+                (text.replace("[40, 20]", "[4e-9, 2e-9]"), ["particles.spacing=1e-10"], r"spacings go from \S+ to \S+ um; "),
+                (defects, [], "row 1: must lie in the box, y from 0 to 20 um, where this axis ends at walls, but is at 30"),
+                (text, ["particles.spacing=0.0007"], r"particles fit, with a spacing of \S+ um"),
+                (text, ["observers.flow.interval=1e-14"], r"take at least \S+ ms"),
+                (text, ["output.interval=1e-13"], r"an interval of \S+ ms or more fits"),
+                (text.replace('"walls", anchoring = "planar"', '"dummy_nowhere"'), [], r"dummy 0 is at \(nan, -0.01, 0\) um")):
+            arguments = [word for setting in settings for word in ("--set", setting)]
+            code = 3 if "dummy_nowhere" in wrong else 2
+            _, err = self.mesogen("check", self.write_case(wrong), "--quick", *arguments, "--plugin-path",
+                                  os.path.join(BROKEN_PLUGINS, "boundaries"), code=code)
+            self.assertRegex(err, expected)
+
+    def test_tables_of_studies_are_in_them(self):
+        sweep = 'title = "Film"\ncase = "case.toml"\nseeds = [1]\nseed_keys = ["particles.seed"]\n[[quantity]]\n' \
+                'series = "flow.v_rms"\nfrom = 0.01\nuntil = 0.02\n'
+        self.write_case(FILM.format(**FILM_UNITS, precision="single") + UNITS.replace('"s"', '"ms"'))
+        with open(self.path("sweep.toml"), "w", encoding="utf-8") as file:
+            file.write(sweep)
+        self.mesogen("sweep", "sweep.toml", "--output", "out", "--quiet")
+        with open(self.path("out", "table.md"), encoding="utf-8") as file:
+            table = file.read()
+        self.assertIn("flow.v_rms: mean after 0.01 ms up to 0.02 ms.", table)
+        self.assertIn("v_rms (um/ms)", table)
 
 
 if __name__ == "__main__":

@@ -144,8 +144,8 @@ class DefectFlow final : public Observer {
       fail("`points` must be odd, so that the defect is at one of them, but is " + std::to_string(points_));
     const double shortest = std::min(scene.box[0], scene.box[1]);
     if (radius_ && *radius_ > 0.5 * shortest)
-      fail("`radius` is at most half the shortest edge of the box, " + std::to_string(0.5 * shortest) + " m, but is " +
-           std::to_string(*radius_) + " m");
+      fail("`radius` is at most half the shortest edge of the box, " + std::to_string(0.5 * shortest) + ", but is " +
+           std::to_string(*radius_));
     plus_ = minus_ = Patch(points_, radius_.value_or(shortest / 6.0));
     plan.reads("order_tensor");
     plan.reads("velocity");

@@ -71,7 +71,9 @@ class Results:
 
     def estimate(self, observer, quantity, start, end=math.inf):
         """The Estimate over seeds of the mean over a span of time (s). Raises NothingThere if no run has a sample there."""
-        means = [time_mean(time, value, start, end) for time, value in self.series(observer, quantity)]
+        with self.first().open() as run:
+            unit = run.time_unit
+        means = [time_mean(time, value, start, end, unit=unit) for time, value in self.series(observer, quantity)]
         if not any(one.known for one in means):
             raise NothingThere(f"'{observer}.{quantity}' of {self.name} {means[0].problem}")
         return over_seeds([one.mean for one in means])

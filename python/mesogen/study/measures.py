@@ -25,24 +25,24 @@ Measure = namedtuple("Measure", "of count doc")
 def value(run, quantity):
     """The series at the times `at`."""
     time, series = _series(run, quantity)
-    return [interpolate(time, series, at) for at in quantity.at]
+    return [interpolate(time, series, at, run.time_unit) for at in quantity.at]
 
 
 def growth_rate(run, quantity):
     """Slope of log(series) over the two times `at`, by least squares over the samples there (1/s)."""
     time, series = _series(run, quantity)
     first, last = quantity.at
-    slack = 1e-9 * max(abs(first), abs(last))
+    slack, unit = 1e-9 * max(abs(first), abs(last)), run.time_unit
     gap = slack + (np.diff(time).max() if len(time) > 1 else 0.0)  # samples need not lie at the ends
     if len(time) and (time[0] > first + gap or time[-1] < last - gap):
-        raise StudyError(f"the answer is for t = {first:g} to {last:g} s, but {_name(quantity)} was recorded "
-                         f"from t = {time[0]:g} to {time[-1]:g} s")
+        raise StudyError(f"the answer is for t = {first:g} to {last:g} {unit}, but {_name(quantity)} was recorded "
+                         f"from t = {time[0]:g} to {time[-1]:g} {unit}")
     chosen = (time >= first - slack) & (time <= last + slack)
     if chosen.sum() < 2:
-        raise StudyError(f"{_name(quantity)} has {chosen.sum()} samples from t = {first:g} to {last:g} s, and a growth "
+        raise StudyError(f"{_name(quantity)} has {chosen.sum()} samples from t = {first:g} to {last:g} {unit}, and a growth "
                          "rate needs two: let the observer sample oftener")
     if not (series[chosen] > 0).all():
-        raise Vanished(f"{_name(quantity)} is not above 0 from t = {first:g} to {last:g} s: it has no growth rate")
+        raise Vanished(f"{_name(quantity)} is not above 0 from t = {first:g} to {last:g} {unit}: it has no growth rate")
     return [float(np.polyfit(time[chosen], np.log(series[chosen]), 1)[0])]
 
 
@@ -65,15 +65,16 @@ def error(run, quantities):
     return float(np.sqrt(np.mean(np.square(errors))))
 
 
-def interpolate(time, series, at):
+def interpolate(time, series, at, unit="s"):
     """The series at a time, by the cubic through the four samples around it (fewer where there are fewer).
 
     Observers sample at the first step that reaches their time, which is not quite it. Raises StudyError beyond the ends.
+    unit: of times, for that.
     """
     slack = 1e-6 * max(abs(at), 1e-300)
     if not len(time) or at < time[0] - slack or at > time[-1] + slack:
-        span = f"from t = {time[0]:g} to {time[-1]:g} s" if len(time) else "never"
-        raise StudyError(f"the answer is for t = {at:g} s, but the series was recorded {span}")
+        span = f"from t = {time[0]:g} to {time[-1]:g} {unit}" if len(time) else "never"
+        raise StudyError(f"the answer is for t = {at:g} {unit}, but the series was recorded {span}")
     nearest = int(np.argmin(np.abs(time - at)))
     if abs(time[nearest] - at) <= slack:
         return float(series[nearest])

@@ -17,6 +17,7 @@
 import os
 from dataclasses import dataclass
 
+from ..units import time_unit
 from .measures import MEASURES
 from .table_reader import TableReader, read_toml
 
@@ -53,6 +54,11 @@ class Scene:
     case: str  # file
     data: dict  # the case as it was read
     answer: Answer | None
+
+    @property
+    def time_unit(self):
+        """Of its times, for texts."""
+        return time_unit(self.data)
 
 
 def read_scene(path, problems, answer_required=True):

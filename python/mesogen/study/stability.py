@@ -103,7 +103,7 @@ def run_study(study, folder, program, progress_of=Progress, tell=print):
                     progress.start(f"{cell.name}, {study.sweep_key} = {value:g}", time_left(study, searches, ledger.rows))
                     row = run_trial(study, cell, value, folder, program, progress.tick)
                     ledger.add({**row, **where})
-                    progress.end(f"FAILS, {row['how']} at t = {row['time']:.3g} s: {row['reason']}" if row["how"] else
+                    progress.end(f"FAILS, {row['how']} at t = {row['time']:.3g} {study.scene.time_unit}: {row['reason']}" if row["how"] else
                                  f"holds, {duration_text(row['wall_seconds'])}")
         finally:
             progress.close()

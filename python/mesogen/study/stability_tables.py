@@ -35,11 +35,11 @@ def markdown(study, searches, rows, command):
     sweep = study.sweep
     lines = [f"# {study.title}", "", f"`{study.sweep_key}` from {sweep.first:g} to {sweep.last:g}"
              + (f", for `{study.across_key}` = {', '.join(map(str, study.across_values))}" if study.across_key else "")
-             + f", each run to t = {study.end:g} s. Scene: {study.scene.case}.", "", *head_lines(rows), "",
+             + f", each run to t = {study.end:g} {study.scene.time_unit}. Scene: {study.scene.case}.", "", *head_lines(rows), "",
              _bounds_text(study), "", *_notes(study), *_table(study, searches), ""]
     if study.remedy:
         lines += [f"Remedy: {study.remedy.strip()}", ""]
-    lines += _commands(searches, command)
+    lines += _commands(study, searches, command)
     return "\n".join(lines) + "\n"
 
 
@@ -54,7 +54,7 @@ def _bounds_text(study):
         (b.momentum, f"momentum changed by more than {_percent(b.momentum)} of mass x speed (momentum)"),
         (b.error, f"an error above {_percent(b.error)} (error)"),
     ) if bound is not None]
-    after = f" Looked at from t = {b.after:g} s on." if b.after else ""
+    after = f" Looked at from t = {b.after:g} {study.scene.time_unit} on." if b.after else ""
     return "A run fails if mesogen stops it, or by " + ", ".join(said) + "." + after
 
 
@@ -77,16 +77,16 @@ def _table(study, searches):
             failed = next((row for row in found.rows.values() if row["how"]), None)
             rows.append((*start, "", "", failed["how"] if failed else "", f"{float(failed['time']):.3g}" if failed else "",
                          state_of(found) + (f": {failed['reason']}" if failed else "")))
-    header = ["variant", *([study.across_key] if study.across_key else []), "holds at", "fails at", "how", "t (s)", "first"]
+    header = ["variant", *([study.across_key] if study.across_key else []), "holds at", "fails at", "how", f"t ({study.scene.time_unit})", "first"]
     return table_lines(header, rows, left=("variant", "how", "first"))
 
 
-def _commands(searches, command):
+def _commands(study, searches, command):
     lines = []
     for found in searches:
         for number, (inside, outside, row) in enumerate(found.edges, start=1):
             stem = "_".join(re.findall(r"[\w.-]+", found.cell.name) + ([str(number)] if len(found.edges) > 1 else []))
             lines += [f"# {found.cell.name}: holds", command(found.cell, inside, f"{stem}_inside"),
-                      f"# {found.cell.name}: fails, {row['how']} at t = {float(row['time']):.3g} s",
+                      f"# {found.cell.name}: fails, {row['how']} at t = {float(row['time']):.3g} {study.scene.time_unit}",
                       command(found.cell, outside, f"{stem}_outside")]
     return ["Just inside and just outside of each boundary:", "", "```sh", *lines, "```", ""] if lines else []

@@ -96,7 +96,7 @@ def _of_run(records, run):
         with open_run(records.results(run)) as results:
             check_series(results, quantities)
             means = tuple(time_mean(*results.series(quantity.observer, quantity.series), quantity.start, quantity.end,
-                                    quantity.blocks) for quantity in quantities)
+                                    quantity.blocks, results.time_unit) for quantity in quantities)
     except MesogenError as error:
         raise StudyError(f"{records.sweep.file}: {error}") from error
     return RunValues(run, "done", "", means)

@@ -3,6 +3,7 @@
 import math
 
 from ..study.table_reader import nearest
+from ..units import time_unit
 
 
 def conflicts(sweep, seed_keys_given, own):
@@ -18,7 +19,9 @@ def conflicts(sweep, seed_keys_given, own):
             yield (f"quantity[{number}].series: {sweep.case} has no observer '{quantity.observer}'"
                    + nearest(quantity.observer, observers))
         if quantity.start >= last:
-            yield f"quantity[{number}].from: {quantity.start:g} s, but no run goes on beyond 'time.end' = {last:g} s"
+            unit = time_unit(sweep.data)
+            yield (f"quantity[{number}].from: {quantity.start:g} {unit}, but no run goes on beyond 'time.end' = {last:g} "
+                   f"{unit}")
     yield from _twice("quantity", [quantity.name for quantity in sweep.quantities], "give one of them another name")
     yield from _twice("point", [point.label for point in sweep.points],
                       "its runs would share a folder; leave one of them out, or name it in a [point.NAME]")

@@ -33,13 +33,14 @@ class Mean:
         return math.isfinite(self.mean)
 
 
-def time_mean(time, value, start, end, blocks=None):
-    """The Mean of samples with start < time <= end (s). time, value: shape (T,); blocks: how many, None: chosen."""
+def time_mean(time, value, start, end, blocks=None, unit="s"):
+    """The Mean of samples with start < time <= end. time, value: shape (T,); blocks: how many, None: chosen. unit: of times,
+    for what is to be known."""
     time, value = np.asarray(time, dtype=float), np.asarray(value, dtype=float)
     inside = (time > start) & (time <= end)
     if not inside.any():
-        last = f"; the last is at {time[-1]:g} s" if len(time) else ""
-        return Mean(math.nan, math.nan, 0, math.nan, f"has no sample after {start:g} s{_until(end)}{last}")
+        last = f"; the last is at {time[-1]:g} {unit}" if len(time) else ""
+        return Mean(math.nan, math.nan, 0, math.nan, f"has no sample after {start:g} {unit}{_until(end, unit)}{last}")
     good = inside & np.isfinite(value)
     if not good.any():
         return Mean(math.nan, math.nan, 0, math.nan, "is not a number in any sample")
@@ -95,5 +96,5 @@ def _block_count(samples, correlation):
     return min(MOST, max(FEWEST, int(samples / (LONG * correlation))))
 
 
-def _until(end):
-    return f" up to {end:g} s" if math.isfinite(end) else ""
+def _until(end, unit):
+    return f" up to {end:g} {unit}" if math.isfinite(end) else ""

@@ -6,6 +6,7 @@ import os
 from ..study.errors import StudyError
 from ..study.ledger import csv_text, write_file
 from ..study.markdown import head_lines, table_lines
+from ..units import time_unit
 from .collection import point_values, run_values, units
 from .defaults import Program
 from .points import few, short_names, value_word
@@ -115,9 +116,10 @@ def _places(error, mean):
 
 def _spans(sweep):
     lines = []
+    unit = time_unit(sweep.data)
     for one in sweep.quantities:
-        span = f"after {one.start:g} s" if math.isfinite(one.start) else "from the start"
-        span += f" up to {one.end:g} s" if math.isfinite(one.end) else " to the end"
+        span = f"after {one.start:g} {unit}" if math.isfinite(one.start) else "from the start"
+        span += f" up to {one.end:g} {unit}" if math.isfinite(one.end) else " to the end"
         series = f"{one.observer}.{one.series}"
         lines.append(f"{one.name}: mean" + (f" of {series}" if series != one.name else "") + f" {span}.")
     return lines

@@ -58,18 +58,6 @@ TEST(Room, OfMemoryThatIsTooLittleIsToldWithWhatFits) {
   EXPECT_NE(problems.text().find(" particles fit, with a spacing of "), std::string::npos) << problems.text();
 }
 
-TEST(Room, OfADiskHoldsFramesTwice) {
-  CaseText text = fluid(20);
-  text.section("output", "interval = 0.1");
-  CaseRun run = CaseRun::unstarted(text);
-  const double needed = most_on_disk(run.setup());
-  EXPECT_DOUBLE_EQ(needed, 2.0 * 11.0 * frame_bytes(run.setup()) + 2.0 * checkpoint_bytes(run.setup()));
-  EXPECT_EQ(beyond_disk(run.setup(), needed), "");
-  EXPECT_EQ(beyond_disk(run.setup(), 0.0), "");
-  EXPECT_NE(beyond_disk(run.setup(), 0.9 * needed).find("; an interval of "), std::string::npos);
-  EXPECT_NE(beyond_disk(run.setup(), 10.0).find("; make room, or take fewer particles or fields"), std::string::npos);
-}
-
 TEST(Room, StepsAreCountedBeyondAllIntegers) {
   const auto told = [](const std::string& time) {
     CaseText text = fluid(20);
@@ -87,6 +75,15 @@ TEST(Room, StepsAreCountedBeyondAllIntegers) {
       told("end = 1e300\nstep = 1e-300"),
       "to 1e+300 s in steps of 1e-300 s (limit: time.step of the case) a run takes more than 1e308 steps, and time "
       "would stand still before its end");
+}
+
+TEST(Room, StepsThatAreCutToTheTimesAskedForAreCounted) {
+  CaseText text = fluid(20);
+  text.section("output", "interval = 1e-11").section("units", "time = \"ms\"");
+  CaseRun run = CaseRun::unstarted(text);
+  EXPECT_EQ(beyond_steps(run.setup(), forecast_steps(run.setup())),
+            "to 1 ms in steps of 1e-11 ms (limit: the times that samples, frames and checkpoints are asked for) a run "
+            "takes 1e+11 steps");
 }
 
 }  // namespace

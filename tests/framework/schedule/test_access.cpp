@@ -17,8 +17,11 @@ namespace {
 using namespace mesogen;
 using namespace mesogen::test;
 
-/// Runs one pass that declared to read "f" and write "out".
-void run_pass(const std::function<void(const PassContext&)>& body, bool moved = false) {
+using Declare = std::function<void(Pass&)>;
+
+/// Runs one pass that declared to read "f", to write "out", and what `declare` adds.
+void run_pass(const std::function<void(const PassContext&)>& body, const Declare& declare = {}, bool moved = false,
+              Phase phase = Phase::rates) {
   ParticleScene scene({}, lattice(20, 20, 0.05));
   if (moved) scene.world().mark_moved();
   scene.world().add_field("out", 1, false);
@@ -28,18 +31,23 @@ void run_pass(const std::function<void(const PassContext&)>& body, bool moved = 
   list.field("f", Rank::scalar).advanced_by("out");
   list.field("out", Rank::scalar);
   list.field("other", Rank::scalar);
-  list.pass("work").reads({"f"}).reads_if_present({"absent"}).writes({"out"}).run(body);
+  Pass& pass = list.pass("work", phase).reads({"f"}).reads_if_present({"absent"}).writes({"out"}).run(body);
+  if (declare) declare(pass);
   for (const FieldDeclaration& field : list.fields()) catalogue.add(field, "physics.mine");
-  StepGraph graph(catalogue, {{"physics.mine", &list, "mine"}}, {});
+  // At the end of a step it is somebody's who reads what it made, at the others the integration's.
+  const bool for_reader = phase == Phase::end;
+  StepGraph graph(catalogue, {{"physics.mine", &list, "mine"}},
+                  for_reader ? std::vector<Reader>{{"observers.mine", {"out"}}} : std::vector<Reader>{});
   DerivedFields derived(scene.world(), catalogue, {}, {}, DerivedFields::Form{});
   Executor executor(scene.world(), graph, derived);
-  executor.run(Phase::rates, {});
+  executor.run(phase, std::vector<bool>(for_reader ? 1 : 0, true));
 }
 
 /// What it is told.
-std::string refusal(const std::function<void(const PassContext&)>& body, bool moved = false) {
+std::string refusal(const std::function<void(const PassContext&)>& body, const Declare& declare = {},
+                    bool moved = false, Phase phase = Phase::rates) {
   try {
-    run_pass(body, moved);
+    run_pass(body, declare, moved, phase);
   } catch (const Error& error) {
     return error.code() == ExitCode::plugin_refused ? error.what() : "another exit code";
   }
@@ -55,7 +63,6 @@ TEST(Access, DeclaredFieldsAreGiven) {
               for (Index i = 0; i < context.count(); ++i) out(i) = f(i);
               EXPECT_EQ(context.count(), 400);
               EXPECT_FALSE(context.has("absent"));
-              EXPECT_EQ((context.neighbours<double, 2>().particle_count), 400);
             }),
             "no error");
 }
@@ -88,13 +95,19 @@ TEST(Access, WrongPrecisionIsRefused) {
             where + "it asks for neighbours of another precision or dimension: take those of its class, Real and Dim");
 }
 
-// Where nobody declares that it looks at neighbours they are not found anew when particles have moved.
-TEST(Access, NeighboursOutOfDateAreRefused) {
-  const auto ask = [](const PassContext& context) { (void)context.neighbours<double, 2>(); };
-  EXPECT_EQ(refusal(ask), "no error");
-  EXPECT_EQ(refusal(ask, true), where +
-                                    "it asks for neighbours, and declares none that it reads: name the fields that it "
-                                    "reads at them in the pass's reads_neighbours");
+// Neighbours are found anew, and copies beyond the boundary refreshed, for passes that declare to read there, whatever
+// the phase and whoever needs the pass. Others are refused even where neighbours happen to be up to date.
+TEST(Access, NeighboursAreGivenToWhoDeclaresToReadThere) {
+  const auto ask = [](const PassContext& context) { EXPECT_EQ((context.neighbours<double, 2>().particle_count), 400); };
+  const auto declare = [](Pass& pass) { pass.reads_neighbours({"f"}); };
+  for (const bool moved : {false, true})
+    for (const Phase phase : {Phase::rates, Phase::end}) {
+      EXPECT_EQ(refusal(ask, declare, moved, phase), "no error");
+      EXPECT_EQ(refusal(ask, {}, moved, phase),
+                where +
+                    "it asks for neighbours, and declares none that it reads: name the fields that it reads at them in "
+                    "the pass's reads_neighbours");
+    }
 }
 
 TEST(Access, WhatAPassThrowsIsToldOn) {

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "case_run.hpp"
+#include "simulation/marks_of.hpp"
 #include "simulation/observation.hpp"
 
 namespace {
@@ -112,7 +113,8 @@ Counters observed(CaseRun& run, int count) {
   const Counters before = counters(run);
   for (int n = 0; n < count; ++n) {
     const Stepper::Step step = run.stepper().next_step(1e6);
-    const auto due = observation.due(run.time(), step.arrival, run.world().step + 1, false);
+    const auto due =
+        marks_of(run.setup()).due(run.stepper().arrival(), {step.arrival, step.seconds}, run.world().step + 1);
     run.stepper().advance(step, due);
     observation.sample(due, [](const std::string&, const Sample&) {});
   }

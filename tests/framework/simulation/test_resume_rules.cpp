@@ -18,7 +18,7 @@ Case case_with(const std::vector<std::string>& changes) {
 
 std::string complaint(const std::vector<std::string>& before, const std::vector<std::string>& after, double time) {
   Problems problems;
-  check_resumed_values(case_with(before), case_with(after), time, problems);
+  check_resumed_values(case_with(before), case_with(after), {time, 0.01}, problems);
   return problems.text();
 }
 
@@ -43,8 +43,11 @@ TEST(ResumeRules, CompareCasesWithoutTheseKeys) {
 
 TEST(ResumeRules, LetTheEndAndKeptTimesChangeInTheFutureAlone) {
   EXPECT_EQ(complaint({}, {"time.end=1.5"}, 1.0), "");
-  EXPECT_EQ(complaint({}, {"time.end=1.0"}, 1.0), "");
-  EXPECT_NE(complaint({}, {"time.end=0.9"}, 1.0).find("time.end: must be 1 s or more"), std::string::npos);
+  // At the time that the run has come to, or by less than a millionth of its step later, no step would lead to the end.
+  for (const char* end : {"time.end=0.9", "time.end=1.0", "time.end=1.000000001"})
+    EXPECT_NE(complaint({}, {end}, 1.0).find("time.end: must be later than t = 1 s, since the run has come that far"),
+              std::string::npos);
+  EXPECT_EQ(complaint({"time.end=1.0"}, {"time.end=1.0"}, 1.0), "");
   const std::string old = "output.checkpoint_times=[0.5, 1.5]";
   EXPECT_EQ(complaint({old}, {"output.checkpoint_times=[0.5, 1.25]"}, 1.0), "");
   for (const char* change : {"output.checkpoint_times=[1.5]", "output.checkpoint_times=[0.5, 0.75]"})

@@ -22,6 +22,14 @@ TEST(KeptTimes, EndWithTheList) {
   EXPECT_TRUE(std::isinf(KeptTimes({}, {}).next(0.0)));
 }
 
+TEST(KeptTimes, AreCounted) {
+  const KeptTimes kept({2.5, 0.7, 3.0, 0.7, 0.1 + 0.2, 0.3, 5.5}, 1.0);
+  EXPECT_EQ(kept.count(2.6), 5.0);  // 0.3, 0.7, 1, 2, 2.5
+  EXPECT_EQ(kept.count(3.0), 6.0);
+  EXPECT_EQ(KeptTimes({}, 0.3).count(1.0), 3.0);
+  EXPECT_EQ(KeptTimes({}, {}).count(1.0), 0.0);
+}
+
 // Sums of steps come to a time with some rounding, from below or above: it is reached once.
 TEST(KeptTimes, AreReachedOnceWhateverTheRounding) {
   const KeptTimes kept({0.3}, 0.1);

@@ -53,6 +53,20 @@ TEST(Timing, AMarkThatIsTheEndButForTheDigitsOfTheIntervalIsTheEnd) {
   EXPECT_TRUE(timing.due(9.9, 10.0, 1));
 }
 
+// Beside the start, and the end counts once: 0.3, 0.6, 0.9 and 1 s; 0.1 to 1 s.
+TEST(Timing, CountsHowOftenItHappensInARun) {
+  EXPECT_EQ((Timing{0.3, {}}.count_in_run(1.0, 100.0)), 4.0);
+  EXPECT_EQ((Timing{0.1, {}}.count_in_run(1.0, 100.0)), 10.0);
+  EXPECT_EQ((Timing{3.333333, {}}.count_in_run(10.0, 100.0)), 3.0);
+  EXPECT_EQ((Timing{1e300, {}}.count_in_run(1.0, 100.0)), 1.0);
+  EXPECT_EQ((Timing{1e-9, {}}.count_in_run(1.0, 100.0)), 1e9);
+  EXPECT_EQ((Timing{{}, 10}.count_in_run(1.0, 100.0)), 10.0);
+  EXPECT_EQ((Timing{{}, 10}.count_in_run(1.0, 101.0)), 11.0);
+  EXPECT_EQ((Timing{}.count_in_run(1.0, 100.0)), 1.0);
+  EXPECT_EQ((Timing{0.3, {}}.count(1.0)), 3.0);
+  EXPECT_EQ((Timing{{}, 10}.count(1.0)), 0.0);
+}
+
 TEST(Timing, OfStepsAsksForNoTime) {
   const Timing timing{{}, 3};
   EXPECT_EQ(timing.next(0.5), std::numeric_limits<double>::infinity());
