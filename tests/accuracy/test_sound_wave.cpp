@@ -19,7 +19,7 @@ constexpr double amplitude = 1e-3;    // of rho / rho0 - 1
 /// c = amplitude cos(2 pi x), at rest, with next to no viscosity.
 CaseRun standing_wave(int across) {
   CaseText text(1.0, across);
-  text.flow(1e-6, "sound_speed = 10.0")
+  text.flow(1e-6, "sound_speed = 10.0\ndensity_diffusion = 0.0")
       .read(R"("velocity", "density", "volume", "velocity_gradient", "internal_energy")");
   CaseRun run(text);
   Field& compression = run.world().fields.at("compression");

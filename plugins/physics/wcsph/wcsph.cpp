@@ -353,7 +353,9 @@ class Wcsph final : public Physics {
   template <bool BySpread>
   static Pass& declare_shift(Pass& pass) {
     pass.accumulates({"shift_velocity"});
-    return BySpread ? pass.reads_neighbours({"velocity"}) : pass.reads({"velocity_gradient"});
+    if (BySpread) return pass.reads_neighbours({"velocity"});
+    // Of neighbours it needs their places alone, which come with any field that is read there.
+    return pass.reads({"velocity_gradient"}).reads_neighbours({"volume"});
   }
 
   template <bool BySpread>
