@@ -162,7 +162,7 @@ Result compute(int across, bool device) {
     sph::run_derivatives<Real, 2>(space, grid, kernel, wanted);
     wcsph::Momentum<Real, 2, false, false> momentum{};
     momentum.volume = {volume.data(), stride};
-    momentum.pressure_term = {p.data(), stride};
+    momentum.pressure = {p.data(), stride};
     momentum.density = {density.data(), stride};
     momentum.correction = {correction.data(), stride};
     momentum.velocity_laplacian = {laplacian.data(), stride};
