@@ -90,9 +90,9 @@ using Shift = wcsph::Shift<Real, 2, false>;
 template <class Real>
 using PublishedShift = wcsph::Shift<Real, 2, true>;
 template <class Real>
-using Momentum = wcsph::Momentum<Real, 2, false, false>;
+using Momentum = wcsph::Momentum<Real, 2, false, wcsph::PressureForm::corrected>;
 template <class Real>
-using RadialMomentum = wcsph::Momentum<Real, 2, true, false>;
+using RadialMomentum = wcsph::Momentum<Real, 2, true, wcsph::PressureForm::corrected>;
 template <class Real>
 using Diffusion = wcsph::DensityDiffusion<Real>;
 template <class Real>

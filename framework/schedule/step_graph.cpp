@@ -88,9 +88,11 @@ void StepGraph::add_advection(const Backend& backend) {
     transport_.shift.clear();
   if (!transport_.advects()) return;
   for (const auto& [name, entry] : catalogue_.all()) {
-    // A shift carries no density: continuity keeps that even, and its gradient would cost a pass.
+    // A shift carries no density: continuity keeps that even, and its gradient would cost a pass. Nor the velocity:
+    // momentum would drift three times as much.
     const Advance advance = entry.declaration.advance;
-    if (!has_rate(advance) || (advance != Advance::predicted && !transport_.fixed)) continue;
+    const bool carried = advance == Advance::predicted && name != transport_.velocity;
+    if (!has_rate(advance) || !(carried || transport_.fixed)) continue;
     Work work;
     work.owner = "framework";
     work.pass = backend.advection(entry.declaration, transport_);

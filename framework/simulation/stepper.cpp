@@ -157,7 +157,8 @@ void Stepper::advance(const Step& step, const std::vector<bool>& reader_due) {
 
 void Stepper::ask_limits() {
   StepLimits limits;
-  for (const auto& member : setup_.physics) add_step_limits(member, setup_, limits);
+  for (const auto& member : setup_.physics)
+    if (member.plugin) add_step_limits(member, setup_, limits);
   control_.set_limits(std::move(limits));
 }
 

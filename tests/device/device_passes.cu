@@ -160,7 +160,7 @@ Result compute(int across, bool device) {
     }
     wanted.correction = {correction.data(), stride};
     sph::run_derivatives<Real, 2>(space, grid, kernel, wanted);
-    wcsph::Momentum<Real, 2, false, false> momentum{};
+    wcsph::Momentum<Real, 2, false, wcsph::PressureForm::corrected> momentum{};
     momentum.volume = {volume.data(), stride};
     momentum.pressure = {p.data(), stride};
     momentum.density = {density.data(), stride};

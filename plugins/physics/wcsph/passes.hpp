@@ -198,17 +198,19 @@ struct InternalEnergy {
   }
 };
 
-/// Acceleration by pressure and viscosity.
-///
-/// Pressure: -1 / rho_i sum_j V_j (p_j - p_i) B_i grad W_ij, exact for linear p where B is the correction. A uniform
-/// pressure moves nothing: with the sum p_i + p_j in place of the difference it does where particles lie unevenly, and
-/// a closed box never comes to rest. `Conservative`: -sum_j m (p_i / rho_i^2 + p_j / rho_j^2) grad W_ij, which gives
-/// two particles opposite forces. Viscosity: mu/rho lap u (component-wise), or with `Radial` (Monaghan & Gingold 1983)
-/// 8 mu/rho sum_j V_j (u_ij . r_ij) / r_ij^2 B_i grad W_ij.
-template <class Real, int Dim, bool Radial, bool Conservative>
+/// How the pressure's force is summed; B is the correction of the gradient.
+enum class PressureForm {
+  corrected,    ///< -1 / rho_i sum_j V_j (p_j - p_i) B_i grad W_ij: exact for linear p, so a uniform p moves nothing
+  summed,       ///< -rho_i sum_j V_j (p_i / rho_i^2 + p_j / rho_j^2) B_i grad W_ij: a uniform p evens particles out
+  conservative  ///< -sum_j m (p_i / rho_i^2 + p_j / rho_j^2) grad W_ij: opposite forces on two particles
+};
+
+/// Acceleration by pressure and viscosity. Viscosity: mu/rho lap u (component-wise), or with `Radial` (Monaghan &
+/// Gingold 1983) 8 mu/rho sum_j V_j (u_ij . r_ij) / r_ij^2 B_i grad W_ij.
+template <class Real, int Dim, bool Radial, PressureForm Form>
 struct Momentum {
   static constexpr int sum_count = Radial ? 2 * Dim : Dim;
-  FieldView<const Real> pressure;  // p / rho^2 with Conservative
+  FieldView<const Real> pressure;  // p / rho^2 where that is summed
   FieldView<const Real> volume, density, correction, velocity;
   FieldView<const Real> velocity_laplacian;  // empty with Radial
   FieldView<Real> acceleration;
@@ -231,7 +233,9 @@ struct Momentum {
     const Lane slope = p.gradient();
     const Lane g = p.load(volume) * slope;
     const Lane other = p.load(pressure);
-    const Lane push = Conservative ? slope * (other + Lane(own.pressure)) : g * (other - Lane(own.pressure));
+    const Lane weight = Form == PressureForm::conservative ? slope : g;
+    const Lane push =
+        weight * (Form == PressureForm::corrected ? other - Lane(own.pressure) : other + Lane(own.pressure));
     exec::unroll<Dim>([&](auto d) { sum[d] = sum[d] + push * p.separation[d]; });
     if constexpr (Radial) {
       Lane approach(Real(0));
@@ -246,14 +250,15 @@ struct Momentum {
     const Real rho = density(i);
     Real corrected[Dim] = {};  // what the correction is to be applied to
     for (int d = 0; d < Dim; ++d) {
-      if constexpr (!Conservative) corrected[d] -= sum[d] / rho;
+      if constexpr (Form == PressureForm::corrected) corrected[d] -= sum[d] / rho;
+      if constexpr (Form == PressureForm::summed) corrected[d] -= rho * sum[d];
       if constexpr (Radial) corrected[d] += Real(8) * viscosity / rho * sum[Dim + d];
     }
     for (int a = 0; a < Dim; ++a) {
       Real total = Real(0);
-      if constexpr (Radial || !Conservative)
+      if constexpr (Radial || Form != PressureForm::conservative)
         for (int b = 0; b < Dim; ++b) total += correction(a * Dim + b, i) * corrected[b];
-      if constexpr (Conservative) total -= mass * sum[a];
+      if constexpr (Form == PressureForm::conservative) total -= mass * sum[a];
       if constexpr (!Radial) total += viscosity / rho * velocity_laplacian(a, i);
       acceleration(a, i) += total;
     }

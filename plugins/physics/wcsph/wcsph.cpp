@@ -21,6 +21,7 @@
 namespace {
 
 using namespace mesogen;
+using wcsph::PressureForm;
 
 template <class Real, int Dim>
 class Wcsph final : public Physics {
@@ -59,11 +60,11 @@ class Wcsph final : public Physics {
         .at_most(0.1)
         .doc("delta: relative density variation that c0 is chosen for");
     list.text("pressure_form", pressure_form_)
-        .choices({"corrected", "conservative"})
+        .choices({"corrected", "summed", "conservative"})
         .doc(
-            "pressure gradient exact for linear pressures, so that a uniform one moves nothing; or with opposite "
-            "forces "
-            "on two particles: no momentum drift");
+            "pressure gradient exact for linear pressures, so that a uniform one moves nothing; or a sum of both "
+            "particles' pressures, as published; or that with opposite forces on the two: no momentum drift. With sums "
+            "a flow remains where there should be none");
     list.number("density_diffusion", diffusion_)
         .unit("1")
         .at_least(0)
@@ -144,10 +145,8 @@ class Wcsph final : public Physics {
     equation_of_state(list, compression);
     if (together) {
       all_together(list);
-    } else if (viscosity_form_ == "component") {
-      pressure_form_ == "conservative" ? momentum<false, true>(list) : momentum<false, false>(list);
     } else {
-      pressure_form_ == "conservative" ? momentum<true, true>(list) : momentum<true, false>(list);
+      viscosity_form_ == "component" ? momentum<false>(list) : momentum<true>(list);
     }
     list.pass("internal energy, for readers", Phase::observe)
         .reads({"compression"})
@@ -180,7 +179,7 @@ class Wcsph final : public Physics {
   // With keys of its own the case asks for this plugin.
   void suggest(const Scene& scene, const StepLimits& limits, std::vector<Suggestion>& list) const override {
     if (viscosity_form_ == "component" && density_variation_ == 0.01 && pressure_form_ == "corrected" &&
-        diffusion_ == 0.03 && filter_ == 0.0 && !feedback_ && shift_ == 0.3 && shift_speed_ == "strain" &&
+        diffusion_ == 0.1 && filter_ == 0.0 && !feedback_ && shift_ == 0.3 && shift_speed_ == "strain" &&
         motion_ == "lagrangian")
       wcsph::suggest_no_sound(scene, limits, std::min(sound_step(scene), viscous_step(scene)), list);
   }
@@ -259,17 +258,17 @@ class Wcsph final : public Physics {
   }
 
   void equation_of_state(PassList& list, const std::string& compression) {
-    const bool conserves = pressure_form_ == "conservative";
+    const bool sums = pressure_form_ != "corrected";
     Pass& pass = list.pass("equation of state").reads({compression}).writes({"pressure"});
-    if (conserves) {
+    if (sums) {
       list.field("pressure_over_density_squared", Rank::scalar).unit("Pa m6/kg2").doc("p / rho^2");
       pass.writes({"pressure_over_density_squared"});
     }
-    pass.run([this, compression, conserves](const PassContext& context) {
+    pass.run([this, compression, sums](const PassContext& context) {
       wcsph::EquationOfState<Real> state{};
       state.compression = context.read<Real>(compression);
       state.pressure = context.write<Real>("pressure");
-      if (conserves) state.over_density_squared = context.write<Real>("pressure_over_density_squared");
+      if (sums) state.over_density_squared = context.write<Real>("pressure_over_density_squared");
       state.stiffness = Real(stiffness());
       state.reference_density = Real(density_);
       exec::for_each(context.space(), context.count(), state);
@@ -310,11 +309,18 @@ class Wcsph final : public Physics {
     });
   }
 
-  template <bool Radial, bool Conservative>
+  template <bool Radial>
   void momentum(PassList& list) {
-    declare_momentum<Radial, Conservative>(list.pass("pressure and viscosity")).run([this](const PassContext& context) {
+    if (pressure_form_ == "corrected") momentum<Radial, PressureForm::corrected>(list);
+    if (pressure_form_ == "summed") momentum<Radial, PressureForm::summed>(list);
+    if (pressure_form_ == "conservative") momentum<Radial, PressureForm::conservative>(list);
+  }
+
+  template <bool Radial, PressureForm Form>
+  void momentum(PassList& list) {
+    declare_momentum<Radial, Form>(list.pass("pressure and viscosity")).run([this](const PassContext& context) {
       sph::pair_sum(context.space(), context.neighbours<Real, Dim>(), context.kernel(),
-                    momentum_sums<Radial, Conservative>(context));
+                    momentum_sums<Radial, Form>(context));
     });
   }
 
@@ -328,13 +334,14 @@ class Wcsph final : public Physics {
     Pass& pass = list.pass("pressure, viscosity, shift and density diffusion");
     declare_shift<false>(pass);
     declare_diffusion(pass);
-    declare_momentum<false, false>(pass).run([this](const PassContext& context) {
+    declare_momentum<false, PressureForm::corrected>(pass).run([this](const PassContext& context) {
       using Shift = wcsph::Shift<Real, Dim, false>;
-      using Momentum = wcsph::Momentum<Real, Dim, false, false>;
+      using Momentum = wcsph::Momentum<Real, Dim, false, PressureForm::corrected>;
       using Diffusion = wcsph::DensityDiffusion<Real>;
       sph::pair_sum(context.space(), context.neighbours<Real, Dim>(), context.kernel(),
                     sph::Together<sph::Together<Shift, Momentum>, Diffusion>{
-                        {shift_sums<false>(context), momentum_sums<false, false>(context)}, diffusion_sums(context)});
+                        {shift_sums<false>(context), momentum_sums<false, PressureForm::corrected>(context)},
+                        diffusion_sums(context)});
     });
   }
 
@@ -347,8 +354,9 @@ class Wcsph final : public Physics {
             context.write<Real>("compression_rate"), Real(diffusion_ * smoothing_length_ * sound_.speed())};
   }
 
-  template <bool Conservative>
-  static constexpr const char* summed_pressure = Conservative ? "pressure_over_density_squared" : "pressure";
+  template <PressureForm Form>
+  static constexpr const char* summed_pressure =
+      Form == PressureForm::corrected ? "pressure" : "pressure_over_density_squared";
 
   template <bool BySpread>
   static Pass& declare_shift(Pass& pass) {
@@ -372,19 +380,19 @@ class Wcsph final : public Physics {
     return sums;
   }
 
-  template <bool Radial, bool Conservative>
+  template <bool Radial, PressureForm Form>
   static Pass& declare_momentum(Pass& pass) {
     pass.reads({"density", "correction"})
-        .reads_neighbours({summed_pressure<Conservative>, "volume"})
+        .reads_neighbours({summed_pressure<Form>, "volume"})
         .accumulates({"acceleration"});
     return Radial ? pass.reads_neighbours({"velocity"}) : pass.reads({"velocity_laplacian"});
   }
 
-  template <bool Radial, bool Conservative>
-  wcsph::Momentum<Real, Dim, Radial, Conservative> momentum_sums(const PassContext& context) const {
-    wcsph::Momentum<Real, Dim, Radial, Conservative> sums{};
+  template <bool Radial, PressureForm Form>
+  wcsph::Momentum<Real, Dim, Radial, Form> momentum_sums(const PassContext& context) const {
+    wcsph::Momentum<Real, Dim, Radial, Form> sums{};
     sums.volume = context.read<Real>("volume");
-    sums.pressure = context.read<Real>(summed_pressure<Conservative>);
+    sums.pressure = context.read<Real>(summed_pressure<Form>);
     sums.density = context.read<Real>("density");
     sums.correction = context.read<Real>("correction");
     if constexpr (Radial) {
@@ -409,7 +417,7 @@ class Wcsph final : public Physics {
   std::optional<double> expected_speed_;
   double density_variation_ = 0.01;
   std::string pressure_form_ = "corrected";
-  double diffusion_ = 0.03;
+  double diffusion_ = 0.1;
   double filter_ = 0.0;
   bool feedback_ = false;
   double shift_ = 0.3;

@@ -20,8 +20,9 @@ class PassContext;
 struct Transport {
   std::string velocity;  ///< of the fluid, m/s; empty: nothing flows
   /// What moves particles beside it, m/s, if any pass adds to it; may be empty. It takes a particle into other fluid:
-  /// every predicted field f (velocity, order tensor) changes by + shift . grad f too (arbitrary Lagrangian-Eulerian).
-  /// Particles that kept what they carry would stir the director, and its free energy would rise.
+  /// every predicted field f but the velocity (the order tensor) changes by + shift . grad f too (arbitrary
+  /// Lagrangian-Eulerian). Particles that kept what they carry would stir the director, and its free energy would
+  /// rise. The velocity stays, because momentum would drift.
   std::string shift;
   /// Particles stay where they are, and every advanced field f changes by - velocity . grad f (Eulerian).
   bool fixed = false;
