@@ -78,7 +78,7 @@ TEST(Walls, HoldVelocityAndOrderTensorHalfWayAndNothingElse) {
     EXPECT_NEAR(tensor[2 * n].summand, high ? 0.0 : 1.6, 1e-15);
     EXPECT_NEAR(tensor[2 * n + 1].summand, high ? 1.6 : 0.0, 1e-15);
   }
-  for (const Extension& rule : channel.extension("pressure", 1)) {
+  for (const Extension& rule : channel.extension("pressure_term", 1)) {
     EXPECT_EQ(rule.factor, 1.0);
     EXPECT_EQ(rule.summand, 0.0);
   }

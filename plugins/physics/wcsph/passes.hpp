@@ -200,8 +200,8 @@ struct InternalEnergy {
 
 /// How the pressure's force is summed; B is the correction of the gradient.
 enum class PressureForm {
-  corrected,    ///< -1 / rho_i sum_j V_j (p_j - p_i) B_i grad W_ij: exact for linear p, so a uniform p moves nothing
-  summed,       ///< -rho_i sum_j V_j (p_i / rho_i^2 + p_j / rho_j^2) B_i grad W_ij: a uniform p evens particles out
+  corrected,    ///< -rho_i sum_j V_j (p_i / rho_i^2 + p_j / rho_j^2) B_i grad W_ij: also evens particles out
+  difference,   ///< -1 / rho_i sum_j V_j (p_j - p_i) B_i grad W_ij: exact for linear p, so a uniform p moves nothing
   conservative  ///< -sum_j m (p_i / rho_i^2 + p_j / rho_j^2) grad W_ij: opposite forces on two particles
 };
 
@@ -235,7 +235,7 @@ struct Momentum {
     const Lane other = p.load(pressure);
     const Lane weight = Form == PressureForm::conservative ? slope : g;
     const Lane push =
-        weight * (Form == PressureForm::corrected ? other - Lane(own.pressure) : other + Lane(own.pressure));
+        weight * (Form == PressureForm::difference ? other - Lane(own.pressure) : other + Lane(own.pressure));
     exec::unroll<Dim>([&](auto d) { sum[d] = sum[d] + push * p.separation[d]; });
     if constexpr (Radial) {
       Lane approach(Real(0));
@@ -250,8 +250,8 @@ struct Momentum {
     const Real rho = density(i);
     Real corrected[Dim] = {};  // what the correction is to be applied to
     for (int d = 0; d < Dim; ++d) {
-      if constexpr (Form == PressureForm::corrected) corrected[d] -= sum[d] / rho;
-      if constexpr (Form == PressureForm::summed) corrected[d] -= rho * sum[d];
+      if constexpr (Form == PressureForm::difference) corrected[d] -= sum[d] / rho;
+      if constexpr (Form == PressureForm::corrected) corrected[d] -= rho * sum[d];
       if constexpr (Radial) corrected[d] += Real(8) * viscosity / rho * sum[Dim + d];
     }
     for (int a = 0; a < Dim; ++a) {

@@ -60,11 +60,13 @@ class Wcsph final : public Physics {
         .at_most(0.1)
         .doc("delta: relative density variation that c0 is chosen for");
     list.text("pressure_form", pressure_form_)
-        .choices({"corrected", "summed", "conservative"})
+        .choices({"corrected", "difference", "conservative"})
         .doc(
-            "pressure gradient exact for linear pressures, so that a uniform one moves nothing; or a sum of both "
-            "particles' pressures, as published; or that with opposite forces on the two: no momentum drift. With sums "
-            "a flow remains where there should be none");
+            "a sum of both particles' pressures with the corrected gradient, which evens particles out; their "
+            "difference, "
+            "exact for linear pressures: a uniform one moves nothing, and vortices are some per cent less exact; or "
+            "the "
+            "sum with opposite forces on two particles: no momentum drift");
     list.number("density_diffusion", diffusion_)
         .unit("1")
         .at_least(0)
@@ -258,17 +260,17 @@ class Wcsph final : public Physics {
   }
 
   void equation_of_state(PassList& list, const std::string& compression) {
-    const bool sums = pressure_form_ != "corrected";
+    const bool sums = pressure_form_ != "difference";
     Pass& pass = list.pass("equation of state").reads({compression}).writes({"pressure"});
     if (sums) {
-      list.field("pressure_over_density_squared", Rank::scalar).unit("Pa m6/kg2").doc("p / rho^2");
-      pass.writes({"pressure_over_density_squared"});
+      list.field("pressure_term", Rank::scalar).unit("Pa m6/kg2").doc("p / rho^2");
+      pass.writes({"pressure_term"});
     }
     pass.run([this, compression, sums](const PassContext& context) {
       wcsph::EquationOfState<Real> state{};
       state.compression = context.read<Real>(compression);
       state.pressure = context.write<Real>("pressure");
-      if (sums) state.over_density_squared = context.write<Real>("pressure_over_density_squared");
+      if (sums) state.over_density_squared = context.write<Real>("pressure_term");
       state.stiffness = Real(stiffness());
       state.reference_density = Real(density_);
       exec::for_each(context.space(), context.count(), state);
@@ -312,7 +314,7 @@ class Wcsph final : public Physics {
   template <bool Radial>
   void momentum(PassList& list) {
     if (pressure_form_ == "corrected") momentum<Radial, PressureForm::corrected>(list);
-    if (pressure_form_ == "summed") momentum<Radial, PressureForm::summed>(list);
+    if (pressure_form_ == "difference") momentum<Radial, PressureForm::difference>(list);
     if (pressure_form_ == "conservative") momentum<Radial, PressureForm::conservative>(list);
   }
 
@@ -355,8 +357,7 @@ class Wcsph final : public Physics {
   }
 
   template <PressureForm Form>
-  static constexpr const char* summed_pressure =
-      Form == PressureForm::corrected ? "pressure" : "pressure_over_density_squared";
+  static constexpr const char* summed_pressure = Form == PressureForm::difference ? "pressure" : "pressure_term";
 
   template <bool BySpread>
   static Pass& declare_shift(Pass& pass) {

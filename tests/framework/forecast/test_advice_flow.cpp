@@ -28,7 +28,7 @@ TEST(Advice, HasNothingToSayOfAGoodCaseButThatItNeedsNoSound) {
   for (const Advice& one : advice({run.setup(), forecast_steps(run.setup()), 1e12})) EXPECT_EQ(one.name, "no_sound");
 }
 
-TEST(Advice, WithoutSoundStepsAreFewerAndTheErrorIsSmaller) {
+TEST(Advice, WithoutSoundStepsAreFewerAndTheErrorIsSmall) {
   const CaseText text = vortices().precision("single");
   const auto found = advised(text, "no_sound");
   ASSERT_TRUE(found);
@@ -43,13 +43,13 @@ TEST(Advice, WithoutSoundStepsAreFewerAndTheErrorIsSmaller) {
   CaseRun after(text, found->settings);
   after.run_to(end);
   EXPECT_LT(4 * after.world().step, before.world().step);
-  EXPECT_LT(error_of_speed(after), error_of_speed(before));
+  EXPECT_LT(error_of_speed(after), 0.002);
   expect_settled(text, *found);
 }
 
 // Between walls, or with keys of its own, the case asks for the weakly compressible flow.
 TEST(Advice, SoundIsLeftWhereItIsNeededOrAskedFor) {
-  EXPECT_FALSE(advised(vortices("density_diffusion = 0.1"), "no_sound"));
+  EXPECT_FALSE(advised(vortices("density_diffusion = 0.05"), "no_sound"));
   EXPECT_FALSE(advised(vortices("motion = \"eulerian\""), "no_sound"));
   EXPECT_FALSE(advised(vortices().boundary("walls"), "no_sound"));
 }
@@ -91,7 +91,7 @@ TEST(Advice, InertiaIsLeftWhereItMatters) {
 }
 
 TEST(Advice, FewNeighboursGoWrongAndMoreDoNot) {
-  for (const char* length : {"1.0", "1.2"}) {
+  for (const char* length : {"1.0", "1.3333333"}) {
     const CaseText text =
         vortices().section("kernel", std::string("type = \"wendland_c2\"\nsmoothing_length = ") + length);
     const auto found = advised(text, "few_neighbours");

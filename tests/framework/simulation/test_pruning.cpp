@@ -84,10 +84,10 @@ TEST(Pruning, WhereThereIsFlowEverythingRunsOnceAStep) {
   EXPECT_FALSE(mentions(found, "weights of"));
 }
 
-// Left out of the case, or with an activity of zero: nobody needs the gradient of Q.
+// Left out of the case, or with an activity of zero: nobody needs the gradient of Q, but for a shift.
 TEST(Pruning, WithoutActivityThereIsNoStressPass) {
   for (const bool zero : {false, true}) {
-    CaseRun run(zero ? full_scene(0.0) : nematic_scene().flow(0.1));
+    CaseRun run(zero ? full_scene(0.0) : nematic_scene().flow(0.1), {"physics.flow.shift = 0.0"});
     run.run_steps(steps);
     const Counters found = counters(run);
     EXPECT_FALSE(mentions(found, "active stress"));
@@ -123,9 +123,11 @@ Counters observed(CaseRun& run, int count) {
   return after;
 }
 
-// The elastic energy reads the gradient of Q, which nothing else needs where there is no activity.
+// The elastic energy reads the gradient of Q, which nothing else needs where there is neither activity nor a shift.
 TEST(Pruning, WhatOnlyAnObserverNeedsRunsOnlyForItsSamples) {
-  CaseRun run(nematic_scene().flow(0.1).section("observers.nematic", "type = \"nematic_statistics\"\nevery = 10"));
+  CaseRun run(nematic_scene()
+                  .flow(0.1, "shift = 0.0")
+                  .section("observers.nematic", "type = \"nematic_statistics\"\nevery = 10"));
   const Counters found = observed(run, 35);
   EXPECT_EQ(found.at("framework: order_tensor_gradient"), 3);
   EXPECT_GE(found.at("framework: correction, order_tensor_laplacian, velocity_gradient, velocity_laplacian"), 35);
