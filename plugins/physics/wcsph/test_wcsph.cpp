@@ -53,6 +53,7 @@ TEST(Wcsph, SoundSpeedIsTheLargestThatAnythingNeeds) {
 double seconds_to_rise(wcsph::AdaptiveSound& sound, double compression, double fastest = 0.0) {
   for (int n = 1; n <= 1000; ++n) {
     sound.flows_at(fastest);
+    if (sound.softening() < 1.0) sound.rise();
     if (!sound.after_step(compression, 0.01).empty()) return 0.01 * n;
   }
   return 0.0;
@@ -78,6 +79,17 @@ TEST(AdaptiveSound, StaysWhereSoundComesAndGoes) {
   sound.start(2.0, 0.01, 4.0, true);
   for (int n = 0; n < 1000; ++n)
     EXPECT_EQ(sound.after_step(0.05 * std::abs(std::cos(0.02 * n)) * std::exp(-0.005 * n), 0.01), "");
+}
+
+// Also where nobody calls after_step() any more, since the case gives the step.
+TEST(AdaptiveSound, RisesOnce) {
+  wcsph::AdaptiveSound sound;
+  sound.start(2.0, 0.01, 4.0, true);
+  EXPECT_EQ(sound.after_step(0.2, 0.01), "");
+  EXPECT_NEAR(sound.softening(), 0.25, 1e-12);
+  sound.rise();
+  EXPECT_NEAR(sound.speed(), 4.0, 1e-12);
+  EXPECT_EQ(sound.softening(), 1.0);
 }
 
 TEST(AdaptiveSound, RisesWhereTheFlowIsNearlyAsFast) {

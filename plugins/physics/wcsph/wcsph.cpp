@@ -206,6 +206,7 @@ class Wcsph final : public Physics {
     return scene.diffusion_step * density_ / viscosity_ / (viscosity_form_ == "component" ? 1.0 : 4.0);
   }
 
+  // The velocity is watched before the compression: fields are looked at in the order of their declaration.
   void fields(PassList& list) {
     list.field("velocity", Rank::vector)
         .unit("m/s")
@@ -301,6 +302,7 @@ class Wcsph final : public Physics {
               context.space(), context.count(),
               wcsph::SoftenCompression<Real>{context.read<Real>("compression"), context.write<Real>("compression_rate"),
                                              softening, context.step_size()});
+          sound_.rise();
         });
   }
 
