@@ -64,9 +64,8 @@ class Wcsph final : public Physics {
         .doc(
             "a sum of both particles' pressures with the corrected gradient, which evens particles out; their "
             "difference, "
-            "exact for linear pressures: a uniform one moves nothing, and vortices are some per cent less exact; or "
-            "the "
-            "sum with opposite forces on two particles: no momentum drift");
+            "exact for linear pressures: a uniform one moves nothing, and short kernels break earlier; or the sum with "
+            "opposite forces on two particles: no momentum drift");
     list.number("density_diffusion", diffusion_)
         .unit("1")
         .at_least(0)
