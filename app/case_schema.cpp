@@ -36,41 +36,36 @@ class SchemaBuilder {
 
  private:
   void put(const DeclaredSection& declared, Json& properties, Json& required) {
-    const auto& [section, forms] = declared;
+    const auto& [section, keys] = declared;
     if (section.name.empty()) {
-      properties.update(table_schema(forms.front().keys)["properties"]);
+      properties.update(table_schema(keys)["properties"]);
       return;
     }
+    if (section.plugin == PluginKind::initial) return put_initial(properties);
     // "domain.boundary" goes into the table of `domain`, which comes before it.
     const auto dot = section.name.find('.');
     const bool inner = dot != std::string::npos;
     Json& table = inner ? properties[section.name.substr(0, dot)] : properties;
     const std::string key = inner ? section.name.substr(dot + 1) : section.name;
     Json schema = {{"description", section.doc}};
-    schema.update(section.plugin ? plugin_schema(declared) : forms_schema(declared));
+    schema.update(section.plugin ? plugin_schema(declared) : table_schema(keys));
     (inner ? table["properties"] : table)[key] = std::move(schema);
     if (section.required) (inner ? table["required"] : required).push_back(key);
   }
 
-  Json forms_schema(const DeclaredSection& declared) {
-    if (declared.forms.size() == 1) return table_schema(declared.forms.front().keys);
-    std::vector<Branch> branches;
-    for (const auto& form : declared.forms) {
-      // The form for any other value has no word of its own: it is what the first form is not.
-      Json condition = form.word ? Json{{"type", "object"}, {"properties", {{form.key, {{"const", *form.word}}}}}}
-                                 : Json{{"type", "object"}, {"not", branches.front().condition}};
-      if (form.word && !form.unless_given) condition["required"] = Json::array({form.key});
-      branches.push_back({declared.section.name + "." + form.word.value_or("other"), condition, form.keys});
+  /// Initial conditions have a section each, called after the plugin.
+  void put_initial(Json& properties) {
+    for (const auto& plugin : plugins_) {
+      if (plugin.kind != PluginKind::initial) continue;
+      Json schema = {{"description", plugin.summary}};
+      schema.update(table_schema(plugin.keys));
+      properties[plugin.name] = std::move(schema);
     }
-    const auto& first = declared.forms.front();
-    for (const auto& key : first.keys)
-      if (key.parameter.name == first.key) return choice_schema(key, branches);
-    return choice_schema(first.keys.front(), branches);
   }
 
   Json plugin_schema(const DeclaredSection& declared) {
     const PluginKind kind = *declared.section.plugin;
-    const auto& own = declared.forms.front().keys;
+    const auto& own = declared.keys;
     DeclaredKey type = own.front();
     std::vector<std::string> by_name;  // boundaries whose name is enough
     std::vector<Branch> branches;

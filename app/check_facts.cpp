@@ -2,7 +2,6 @@
 
 #include "diagnostics/resources.hpp"
 #include "forecast/disk.hpp"
-#include "forecast/instability.hpp"
 #include "room.hpp"
 
 namespace mesogen::app {
@@ -17,12 +16,12 @@ constexpr double most_particles = 2e7;
 // Where a run would write, if it is not told otherwise.
 double free_here() { return free_disk("output"); }
 
-/// Advice that the case does not take, such as a spacing that does not fit its box, is not given.
+/// Suggestion that the case does not take, such as a spacing that does not fit its box, is not given.
 std::vector<AdviceFacts> follow(const Setup& setup, const StepForecast& steps, double program,
                                 const SetUpWith& set_up_with) {
   std::vector<AdviceFacts> all;
   if (setup.scene.particle_count > most_particles) return all;
-  for (Advice& one : advice({setup, steps, free_here()})) {
+  for (Suggestion& one : advice({setup, steps, free_here()})) {
     try {
       const auto followed = set_up_with(one.settings);
       all.push_back({std::move(one), followed->scene.particle_count, forecast_steps(*followed).expected,
@@ -37,8 +36,7 @@ std::vector<AdviceFacts> follow(const Setup& setup, const StepForecast& steps, d
 
 CheckFacts check_facts(Setup& setup, bool timed, double program, const SetUpWith& set_up_with) {
   CheckFacts facts;
-  facts.numbers = dimensionless_numbers(setup.scene, uniform_director(setup.source));
-  for (SceneNumber& number : facts.numbers) number.unit = setup.source.units.text(number.unit);
+  facts.numbers = scene_numbers(setup);
   facts.steps = forecast_steps(setup);
   facts.memory = forecast_memory(setup, program);
   facts.memory_available = static_cast<double>(available_memory());

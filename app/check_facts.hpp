@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "forecast/advice.hpp"
-#include "forecast/dimensionless_numbers.hpp"
 #include "forecast/memory.hpp"
 #include "forecast/room.hpp"
 #include "forecast/steps.hpp"
@@ -18,7 +17,7 @@ namespace mesogen::app {
 
 /// A piece of advice, and what a run would be that follows it.
 struct AdviceFacts {
-  Advice advice;
+  Suggestion advice;
   std::int64_t particles = 0;
   double steps = 0.0;
   double memory = 0.0;  ///< bytes

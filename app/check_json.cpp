@@ -27,7 +27,7 @@ Json scene_json(const Setup& setup) {
 
 Json steps_json(const Setup& setup, const StepForecast& steps) {
   Json limits = Json::array();
-  for (const auto& limit : setup.limits.all()) limits.push_back({{"name", limit.name}, {"seconds", limit.seconds}});
+  for (const auto& limit : setup.limits.all()) limits.push_back({{"name", limit.text}, {"seconds", limit.seconds}});
   return {{"end", setup.source.time.end},
           {"fixed", steps.fixed},
           {"limits", limits},
@@ -73,6 +73,7 @@ Json plugins_json(const Case& source, const PluginRegistry& registry) {
   Json all = Json::array();
   all.push_back(plugin_json(registry, PluginKind::kernel, source.kernel));
   all.push_back(plugin_json(registry, PluginKind::boundary, source.boundary));
+  for (const auto& choice : source.initial) all.push_back(plugin_json(registry, PluginKind::initial, choice));
   for (const auto& choice : source.physics) all.push_back(plugin_json(registry, PluginKind::physics, choice));
   for (const auto& choice : source.observers) all.push_back(plugin_json(registry, PluginKind::observer, choice));
   return all;

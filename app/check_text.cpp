@@ -24,6 +24,7 @@ std::string plugin_text(const PluginRegistry& registry, PluginKind kind, const P
 std::string plugins_text(const Case& source, const PluginRegistry& registry) {
   std::string text = "plugins\n" + plugin_text(registry, PluginKind::kernel, source.kernel) +
                      plugin_text(registry, PluginKind::boundary, source.boundary);
+  for (const auto& choice : source.initial) text += plugin_text(registry, PluginKind::initial, choice);
   for (const auto& choice : source.physics) text += plugin_text(registry, PluginKind::physics, choice);
   for (const auto& choice : source.observers) text += plugin_text(registry, PluginKind::observer, choice);
   return text;
@@ -64,8 +65,8 @@ std::string steps_text(const Setup& setup, const StepForecast& steps) {
   }
   text += "step limits, beside those of the motion\n";
   for (const auto& limit : setup.limits.all()) {
-    text += fmt::format("  {:<46} {:.6g} {}", limit.name, limit.seconds, unit);
-    if (limit.name == steps.limit) text += "   binds";
+    text += fmt::format("  {:<46} {:.6g} {}", limit.text, limit.seconds, unit);
+    if (limit.text == steps.limit) text += "   binds";
     if (time.step && *time.step > limit.seconds)
       text += fmt::format("   time.step is {:.3g} times as long: {} break down", *time.step / limit.seconds,
                           steps.expected < many_steps ? "a longer run would" : "the run will");

@@ -1,5 +1,6 @@
 #include "key_schema.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <optional>
@@ -58,6 +59,41 @@ std::string description(const Parameter& parameter) {
   return text;
 }
 
+Json condition_value(const std::string& word) {
+  if (word == "true" || word == "false") return word == "true";
+  return word;
+}
+
+/// Holds where the condition of a key does: `other` is the key that it names.
+Json condition_schema(const Parameter& parameter, const DeclaredKey& other) {
+  Json values = Json::array();
+  bool by_default = false;
+  for (const auto& word : parameter.condition_values) {
+    values.push_back(condition_value(word));
+    by_default = by_default || (other.standard && to_json(*other.standard) == values.back());
+  }
+  Json schema = {{"properties", {{parameter.condition_key, {{"enum", values}}}}}};
+  if (!by_default) schema["required"] = Json::array({parameter.condition_key});
+  return schema;
+}
+
+/// What keys ask of each other: a key with a condition must be there if it is required, and must not if it does not
+/// hold.
+Json conditions(const std::vector<DeclaredKey>& keys) {
+  Json all = Json::array();
+  for (const auto& key : keys) {
+    const Parameter& parameter = key.parameter;
+    if (parameter.condition_key.empty()) continue;
+    const auto other =
+        std::ranges::find_if(keys, [&](const DeclaredKey& k) { return k.parameter.name == parameter.condition_key; });
+    const Json there = {{"required", Json::array({parameter.name})}};
+    Json one = {{"if", condition_schema(parameter, *other)}, {"else", {{"not", there}}}};
+    if (parameter.is_required) one["then"] = there;
+    all.push_back(std::move(one));
+  }
+  return all;
+}
+
 /// The keys under one name: itself, or those of the table "bulk" as A, B, C.
 std::vector<DeclaredKey> inner_keys(const std::vector<DeclaredKey>& keys, const std::string& table) {
   std::vector<DeclaredKey> inner;
@@ -87,10 +123,12 @@ Json table_schema(const std::vector<DeclaredKey>& keys) {
     if (properties.contains(name)) continue;
     const bool is_table = name != key.parameter.name;
     properties[name] = is_table ? table_schema(inner_keys(keys, name)) : key_schema(key);
-    if (is_table ? properties[name].contains("required") : key.parameter.is_required) required.push_back(name);
+    const bool needed = key.parameter.is_required && key.parameter.condition_key.empty();
+    if (is_table ? properties[name].contains("required") : needed) required.push_back(name);
   }
   Json schema = {{"type", "object"}, {"properties", properties}};
   if (!required.empty()) schema["required"] = required;
+  if (Json all = conditions(keys); !all.empty()) schema["allOf"] = std::move(all);
   schema["additionalProperties"] = false;
   return schema;
 }

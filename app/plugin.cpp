@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <array>
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 
@@ -22,8 +22,6 @@ struct Options {
   std::string name;
   bool json = false;
 };
-
-constexpr std::array kinds{PluginKind::kernel, PluginKind::boundary, PluginKind::physics, PluginKind::observer};
 
 /// Relative to the current folder if it lies below, which is easier to read.
 std::string readable(const fs::path& file) {
@@ -50,13 +48,16 @@ ExitCode list(const Options& options) {
     fmt::print("{}", document({{"plugins", plugins}, {"refused", refused}}));
     return ExitCode::done;
   }
-  for (const auto kind : kinds) {
+  for (const auto kind : plugin_kinds) {
     fmt::print("{}\n", to_string(kind));
     for (const auto& [descriptor, file, instruction_set] : registry.all())
       if (descriptor->kind == kind)
         fmt::print("  {:<20} {:<8} {}\n  {:<20} {:<8} {}\n", descriptor->name, descriptor->version, descriptor->summary,
                    "", "", readable(file));
   }
+  const auto physics = registry.names(PluginKind::physics);
+  if (std::ranges::none_of(physics, [&](const std::string& name) { return registry.has_cuda(name); }))
+    fmt::print("no plugin has code for NVIDIA GPUs: `MESOGEN_CUDA=on scripts/setup` builds it, where nvcc is\n");
   return ExitCode::done;
 }
 

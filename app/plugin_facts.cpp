@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "plugin/plugin_call.hpp"
+#include "plugin/sample_scene.hpp"
 
 namespace mesogen::app {
 
@@ -24,14 +25,23 @@ void ask(PluginFacts& facts, Kernel& kernel) {
 
 void ask(PluginFacts& facts, Boundary& boundary) { ask_keys(facts, boundary); }
 
-void ask(PluginFacts& facts, Physics& physics) {
+void ask(PluginFacts& facts, Initial& initial) {
+  ask_keys(facts, initial);
+  InitialPlan plan;
+  call_plugin(facts.name, "plan()", [&] { initial.plan(plan); });
+  facts.fields.assign(plan.fields().begin(), plan.fields().end());
+}
+
+void ask(PluginFacts& facts, Physics& physics, const PluginRegistry& registry) {
   ask_keys(facts, physics);
-  Constants constants;
+  Scene scene;
   PassList list;
   try {
-    call_plugin(facts.name, "constants()", [&] { physics.constants(constants); });
+    call_plugin(facts.name, "publish()", [&] { physics.publish(scene); });
+    list = sample_declaration(physics, facts.name, registry);
+    Constants constants = scene.constants;
+    constants.insert(list.constants().begin(), list.constants().end());
     for (const auto& [name, value] : constants) facts.constants.push_back(name);
-    call_plugin(facts.name, "passes()", [&] { physics.passes(list); });
   } catch (const Error& error) {
     // A plugin may need its required parameters for this.
     facts.not_described = error.what();
@@ -43,15 +53,10 @@ void ask(PluginFacts& facts, Physics& physics) {
   facts.transport = list.transport();
 }
 
-void ask(PluginFacts& facts, Observer& observer) {
+void ask(PluginFacts& facts, Observer& observer, const PluginRegistry& registry) {
   ask_keys(facts, observer);
   // The plan may depend on the scene; any will do to name fields and quantities.
-  Scene scene;
-  scene.box = {1.0, 1.0, 0.0};
-  scene.spacing = 0.1;
-  scene.smoothing_length = 0.13;
-  scene.support = 0.4;
-  scene.particle_count = 100;
+  const Scene scene = sample_scene(registry);
   ObserverPlan plan;
   try {
     call_plugin(facts.name, "plan()", [&] { observer.plan(scene, plan); });
@@ -82,8 +87,11 @@ PluginFacts plugin_facts(const PluginRegistry& registry, const LoadedPlugin& plu
   switch (facts.kind) {
     case PluginKind::kernel: ask(facts, *registry.make_kernel(facts.name)); break;
     case PluginKind::boundary: ask(facts, *registry.make_boundary(facts.name)); break;
-    case PluginKind::physics: ask(facts, *registry.make_physics(facts.name, Precision::double_precision, 2)); break;
-    case PluginKind::observer: ask(facts, *registry.make_observer(facts.name)); break;
+    case PluginKind::initial: ask(facts, *registry.make_initial(facts.name)); break;
+    case PluginKind::physics:
+      ask(facts, *registry.make_physics(facts.name, Precision::double_precision, 2), registry);
+      break;
+    case PluginKind::observer: ask(facts, *registry.make_observer(facts.name), registry); break;
   }
   return facts;
 }
@@ -104,6 +112,7 @@ std::string_view place_in_case(PluginKind kind) {
   switch (kind) {
     case PluginKind::kernel: return "[kernel]";
     case PluginKind::boundary: return "boundary = { type = ..., ... }";
+    case PluginKind::initial: return "a section called after the plugin";
     case PluginKind::physics: return "[physics.NAME]";
     case PluginKind::observer: return "[observers.NAME]";
   }

@@ -28,7 +28,7 @@ struct PluginFacts {
 
   std::optional<sph::KernelShape> shape;  ///< kernels
 
-  std::vector<FieldDeclaration> fields;  ///< physics, with default parameters
+  std::vector<FieldDeclaration> fields;  ///< physics, with default parameters; of initial conditions, those they set
   std::vector<Pass> passes;              ///< without their bodies
   Transport transport;                   ///< how it moves the particles, if it does
   std::vector<std::string> constants;    ///< that it publishes by name

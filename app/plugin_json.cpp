@@ -13,6 +13,8 @@ Json keys_json(const PluginFacts& plugin) {
     Json one = {
         {"name", parameter.name},          {"type", parameter.type_text()},     {"unit", parameter.unit_text},
         {"range", parameter.range_text()}, {"required", parameter.is_required}, {"meaning", parameter.doc_text}};
+    if (!parameter.condition_key.empty())
+      one["only_with"] = {{"key", parameter.condition_key}, {"values", parameter.condition_values}};
     if (key.standard) one["default"] = to_json(*key.standard);
     one["schema"] = key_schema(key);
     all.push_back(std::move(one));
@@ -79,6 +81,7 @@ Json info_json(const PluginFacts& plugin) {
               {"parameters", keys_json(plugin)}};
   if (!plugin.not_described.empty()) one["not_described"] = plugin.not_described;
   if (plugin.shape) one["shape"] = shape_json(*plugin.shape);
+  if (plugin.kind == PluginKind::initial) one["sets"] = fields_json(plugin);
   if (plugin.kind == PluginKind::physics) {
     one["fields"] = fields_json(plugin);
     one["passes"] = passes_json(plugin);

@@ -1,6 +1,6 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
-#include <array>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -20,8 +20,6 @@ namespace mesogen::app {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr std::array kinds{PluginKind::kernel, PluginKind::boundary, PluginKind::physics, PluginKind::observer};
 
 void replace_all(std::string& text, std::string_view what, std::string_view by) {
   for (auto at = text.find(what); at != std::string::npos; at = text.find(what, at + by.size()))
@@ -66,6 +64,7 @@ std::string use_in_a_case(PluginKind kind, const std::string& name) {
   switch (kind) {
     case PluginKind::kernel: return fmt::format("[kernel]\n    type = \"{}\"", name);
     case PluginKind::boundary: return fmt::format("[domain]\n    boundary = \"{}\"", name);
+    case PluginKind::initial: return fmt::format("[{}]\n    speed = 0.1", name);
     case PluginKind::physics: return fmt::format("[physics.{0}]\n    type = \"{0}\"\n    force = 0.1", name);
     case PluginKind::observer: return fmt::format("[observers.{0}]\n    type = \"{0}\"\n    interval = 1.0", name);
   }
@@ -104,13 +103,12 @@ std::string write_plugin(PluginKind kind, const std::string& name, const fs::pat
 
 PluginKind kind_of(const std::string& word) {
   std::vector<std::string> words;
-  for (const auto kind : kinds) {
+  for (const auto kind : plugin_kinds) {
     words.emplace_back(to_string(kind));
     if (words.back() == word) return kind;
   }
-  throw Error(ExitCode::bad_case, fmt::format("\"{}\" is no kind of plugin (there are: kernel, boundary, physics, "
-                                              "observer){}",
-                                              word, did_you_mean(word, words)));
+  throw Error(ExitCode::bad_case, fmt::format("\"{}\" is no kind of plugin (there are: {}){}", word,
+                                              fmt::join(words, ", "), did_you_mean(word, words)));
 }
 
 struct Options {
@@ -139,7 +137,9 @@ ExitCode write_new(const Options& options) {
 void add_plugin_new(CLI::App& plugin, Action& action) {
   const auto options = std::make_shared<Options>();
   auto* const verb = plugin.add_subcommand("new", "Write a plugin of your own to start from, with its test");
-  verb->add_option("kind", options->kind, "kernel, boundary, physics or observer")->type_name("KIND")->required();
+  verb->add_option("kind", options->kind, "kernel, boundary, initial, physics or observer")
+      ->type_name("KIND")
+      ->required();
   verb->add_option("name", options->name, "Name of the plugin, such as my_force")->type_name("NAME")->required();
   verb->add_option("folder", options->folder, "Folder to write it to (default: NAME)")->type_name("DIR");
   verb->callback([&action, options] { action = [options] { return write_new(*options); }; });

@@ -44,6 +44,7 @@ void tell_keys(Text& text, const PluginFacts& plugin) {
     std::string facts = parameter.type_text() + unit(parameter.unit_text);
     if (const auto range = parameter.range_text(); !range.empty()) facts += ", " + range;
     if (parameter.is_required) facts += ", required";
+    if (!parameter.condition_key.empty()) facts += ", only with " + parameter.condition_text();
     if (standard) facts += ", default " + inline_text(*standard);
     text.item(parameter.name, facts, parameter.doc_text);
   }
@@ -58,7 +59,7 @@ void tell_shape(Text& text, const sph::KernelShape& shape) {
 }
 
 void tell_passes(Text& text, const PluginFacts& plugin) {
-  if (!plugin.fields.empty()) text.line("fields:");
+  if (!plugin.fields.empty()) text.line("{}", plugin.kind == PluginKind::initial ? "sets the fields:" : "fields:");
   for (const auto& field : plugin.fields) {
     const std::string advance = advance_text(field);
     text.item(field.name,

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
 #include <cmath>
 #include <iterator>
 
@@ -58,10 +57,10 @@ class Page {
     text_ += '\n';
   }
   void keys_table() { table({"key", "type", "unit", "range", "default", "meaning"}); }
-  void key(const DeclaredKey& declared, const std::string& only = "") {
+  void key(const DeclaredKey& declared) {
     const Parameter& p = declared.parameter;
     std::string meaning = p.doc_text;
-    if (!only.empty()) meaning += (meaning.empty() ? "" : "; ") + only;
+    if (!p.condition_key.empty()) meaning += (meaning.empty() ? "" : "; ") + ("only with " + code(p.condition_text()));
     row({code(p.name), p.type_text(), p.unit_text == "1" ? "" : p.unit_text, p.range_text(),
          p.is_required ? "required" : (declared.standard ? code(inline_text(*declared.standard)) : ""), meaning});
   }
@@ -71,35 +70,15 @@ class Page {
   std::string text_;
 };
 
-/// "only with `type = "modes"`", for a key that not every form of its section has.
-std::string only_with(const std::vector<SectionForm>& forms, const std::string& name) {
-  std::vector<std::string> words;
-  std::string chooser;
-  for (const auto& form : forms) {
-    const bool has = std::any_of(form.keys.begin(), form.keys.end(),
-                                 [&](const DeclaredKey& key) { return key.parameter.name == name; });
-    if (!has) continue;
-    chooser = form.key;
-    words.push_back(form.word ? inline_text(Value{*form.word, {}}) : "a number");
-  }
-  return words.size() == forms.size() ? "" : fmt::format("only with `{} = {}`", chooser, fmt::join(words, "` or `"));
-}
-
 void write_section(Page& page, const DeclaredSection& declared) {
-  const auto& [section, forms] = declared;
+  const auto& [section, keys] = declared;
   const std::string name = section.instances ? section.name + ".NAME" : section.name;
   const bool inner = name.find('.') != std::string::npos && !section.instances;
   page.heading(3, name.empty() ? "Title" : (inner ? "`" + name + "`" : "`[" + name + "]`"));
   page.line("{}{}\n", section.doc, section.required || name.empty() ? "" : " May be left out.");
+  if (section.plugin == PluginKind::initial) return page.line("Its keys are those of the plugin, below.");
   page.keys_table();
-  std::vector<std::string> written;
-  for (const auto& form : forms)
-    for (const auto& key : form.keys) {
-      const std::string& key_name = key.parameter.name;
-      if (std::find(written.begin(), written.end(), key_name) != written.end()) continue;
-      written.push_back(key_name);
-      page.key(key, only_with(forms, key_name));
-    }
+  for (const auto& key : keys) page.key(key);
   if (section.plugin) page.line("\nMore keys: those of the {} that `type` names, below.", to_string(*section.plugin));
 }
 
@@ -119,7 +98,7 @@ std::string shape_text(const sph::KernelShape& shape) {
 
 void write_passes(Page& page, const PluginFacts& plugin) {
   if (!plugin.fields.empty()) {
-    page.line("\nFields:\n");
+    page.line("\n{}:\n", plugin.kind == PluginKind::initial ? "Sets the fields" : "Fields");
     page.table({"field", "rank", "unit", "meaning", "advanced"});
     for (const auto& field : plugin.fields)
       page.row({code(field.name), std::string(to_string(field.rank)), field.unit_text == "1" ? "" : field.unit_text,
@@ -169,6 +148,7 @@ std::string title_of(PluginKind kind) {
   switch (kind) {
     case PluginKind::kernel: return "Kernels";
     case PluginKind::boundary: return "Boundaries";
+    case PluginKind::initial: return "Initial conditions";
     case PluginKind::physics: return "Physics";
     case PluginKind::observer: return "Observers";
   }
@@ -182,7 +162,7 @@ std::string reference_text(const std::vector<PluginFacts>& plugins) {
   page.heading(2, "The case");
   page.line("A TOML file. Keys with a dot, such as `bulk.A`, stand in a table: `bulk = {{ A = -1.0 }}`.");
   for (const auto& section : declared_sections()) write_section(page, section);
-  for (const auto kind : {PluginKind::kernel, PluginKind::boundary, PluginKind::physics, PluginKind::observer}) {
+  for (const auto kind : plugin_kinds) {
     page.heading(2, title_of(kind));
     for (const auto& plugin : plugins)
       if (plugin.kind == kind) write_plugin(page, plugin);

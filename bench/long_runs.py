@@ -20,15 +20,17 @@ import numpy as np
 PROJECT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 CASE = os.path.join(PROJECT, "cases", "accuracy", "benchmark", "case.toml")
 EDGE, DENSITY = 10.0, 1.0  # m, kg/m3: of the case
-PUBLISHED = ["kernel.laplacian=plain", "time.scheme=half_steps", "physics.flow.shift_speed=spread", "physics.flow.shift=1",
-             "physics.flow.density_filter=1"]
+PUBLISHED = ["physics.flow.type=wcsph_published"]
+# In all else as wcsph.
+FILTER_ALONE = [*PUBLISHED, "physics.flow.viscosity_form=component", "physics.flow.shift_speed=strain",
+                "physics.flow.shift=0.3", "physics.flow.density_diffusion=0.1"]
 FORMS = [
     ("the default", []),
     ("shift = 1", ["physics.flow.shift=1"]),
-    ("density filter", ["physics.flow.density_filter=1"]),
+    ("density filter", FILTER_ALONE),
     ("conservative active stress and pressure",
      ["physics.activity.form=conservative", "physics.flow.pressure_form=conservative"]),
-    ("the published scheme", [*PUBLISHED, "physics.flow.viscosity_form=monaghan_gingold"]),
+    ("the published scheme", [*PUBLISHED, "kernel.laplacian=plain", "time.scheme=half_steps"]),
 ]
 
 

@@ -32,6 +32,15 @@ BASE = {
 }
 PLAIN_KERNEL = 'type = "wendland_{}"\nsmoothing_length = 2.0'
 
+# But for the filter and the viscosity, which are those of the published scheme.
+LIKE_WCSPH = """type = "wcsph_published"
+density = 1.0
+viscosity = 0.6666666666666667
+density_diffusion = 0.1
+shift_speed = "strain"
+shift = 0.3
+"""
+
 # What is changed: sections without, sections in place or beside, or lines added to a section.
 VARIANTS = [
     ("the full model: flow, nematic, activity", [], {}, {}),
@@ -40,10 +49,10 @@ VARIANTS = [
     ("without flow: the nematic alone", ["physics.activity", "physics.flow"], {}, {}),
     ("with elastic stress", [], {"physics.elasticity": 'type = "elastic_stress"'}, {}),
     ("with friction", [], {"physics.substrate": 'type = "friction"\ncoefficient = 0.1'}, {}),
-    ("with the published density filter", [], {}, {"physics.flow": "density_filter = 1.0"}),
+    ("with the published density filter", [], {"physics.flow": LIKE_WCSPH + 'viscosity_form = "component"'}, {}),
     ("without the shift", [], {}, {"physics.flow": "shift = 0.0"}),
     ("without the density diffusion", [], {}, {"physics.flow": "density_diffusion = 0.0"}),
-    ("radial viscosity", [], {}, {"physics.flow": 'viscosity_form = "monaghan_gingold"'}),
+    ("radial viscosity", [], {"physics.flow": LIKE_WCSPH + "density_filter = 0.0"}, {}),
     ("plain Laplacian", [], {}, {"kernel": 'laplacian = "plain"'}),
     ("published half steps", [], {}, {"time": 'scheme = "half_steps"'}),
     ("conservative pressure and active stress", [],

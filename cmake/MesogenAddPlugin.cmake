@@ -1,4 +1,4 @@
-# mesogen_add_plugin(NAME name KIND kernel|boundary|physics|observer SOURCES ... [VECTORISED] [HOST_ONLY]
+# mesogen_add_plugin(NAME name KIND kernel|boundary|initial|physics|observer SOURCES ... [VECTORISED] [HOST_ONLY]
 #                    [TEST source...] [CONTRACT --set KEY=VALUE ...])
 #
 # Builds one plugin library into <build>/plugins and installs it into MESOGEN_PLUGIN_FOLDER: the plugin folder of the
@@ -16,8 +16,8 @@ function(mesogen_add_plugin)
   if(NOT PLUGIN_NAME OR NOT PLUGIN_SOURCES)
     message(FATAL_ERROR "mesogen_add_plugin: NAME and SOURCES are needed")
   endif()
-  if(NOT PLUGIN_KIND MATCHES "^(kernel|boundary|physics|observer)$")
-    message(FATAL_ERROR "mesogen_add_plugin(${PLUGIN_NAME}): KIND is kernel, boundary, physics or observer, not '${PLUGIN_KIND}'")
+  if(NOT PLUGIN_KIND MATCHES "^(kernel|boundary|initial|physics|observer)$")
+    message(FATAL_ERROR "mesogen_add_plugin(${PLUGIN_NAME}): KIND is kernel, boundary, initial, physics or observer, not '${PLUGIN_KIND}'")
   endif()
   if(PLUGIN_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "mesogen_add_plugin(${PLUGIN_NAME}): unknown argument '${PLUGIN_UNPARSED_ARGUMENTS}'")
@@ -38,7 +38,7 @@ function(mesogen_add_plugin)
     set_target_properties(${target} PROPERTIES PREFIX "" OUTPUT_NAME ${PLUGIN_NAME}
                           LIBRARY_OUTPUT_DIRECTORY ${MESOGEN_PLUGIN_OUTPUT}${subfolder}
                           CXX_EXTENSIONS OFF CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
-    target_link_libraries(${target} PRIVATE Mesogen::mesogen mesogen_options)
+    target_link_libraries(${target} PRIVATE Mesogen::nematics Mesogen::mesogen mesogen_options)
     target_compile_options(${target} PRIVATE ${MESOGEN_PAIR_LOOP_OPTIONS})
     if(NOT set STREQUAL baseline)
       target_compile_options(${target} PRIVATE -march=${set} ${MESOGEN_INSTRUCTION_SET_OPTIONS})
@@ -52,6 +52,7 @@ function(mesogen_add_plugin)
   if(MESOGEN_HAVE_CUDA AND PLUGIN_KIND STREQUAL physics AND NOT PLUGIN_HOST_ONLY)
     # From <prefix>/lib/mesogen/plugins/cuda to <prefix>/lib.
     mesogen_add_cuda_library(${PLUGIN_NAME}_cuda MODULE "$ORIGIN/../../.." ${PLUGIN_SOURCES})
+    target_link_libraries(${PLUGIN_NAME}_cuda PRIVATE Mesogen::nematics)
     set_target_properties(${PLUGIN_NAME}_cuda PROPERTIES PREFIX "" OUTPUT_NAME ${PLUGIN_NAME}
                           LIBRARY_OUTPUT_DIRECTORY ${MESOGEN_PLUGIN_OUTPUT}/cuda)
     add_dependencies(${PLUGIN_NAME} ${PLUGIN_NAME}_cuda)

@@ -26,6 +26,7 @@ ParameterList parameters_of(PluginKind kind, const std::string& name, const Plug
   switch (kind) {
     case PluginKind::kernel: take(registry.make_kernel(name)); break;
     case PluginKind::boundary: take(registry.make_boundary(name)); break;
+    case PluginKind::initial: take(registry.make_initial(name)); break;
     case PluginKind::physics: take(registry.make_physics(name, Precision::double_precision, 2)); break;
     case PluginKind::observer: take(registry.make_observer(name)); break;
   }
@@ -107,7 +108,9 @@ void ContractRun::check_parameters(const ParameterList& list) {
     // The case reader itself judges: every default written out, one at a time, so that it names the one that is wrong.
     for (const Parameter& parameter : list.all()) {
       const std::string value = parameter.value_text();
-      if (parameter.is_required || value.empty() || settings_.values.contains(parameter.name)) continue;
+      if (parameter.is_required || !list.applies(parameter) || value.empty() ||
+          settings_.values.contains(parameter.name))
+        continue;
       TestScene scene;
       scene.constants = settings_.constants;
       PluginHarness written(kind_, name_, keys_ + fmt::format("{} = {}\n", parameter.name, value), scene,
@@ -131,6 +134,7 @@ std::vector<ContractCheck> check_contract(PluginKind kind, std::string_view name
   switch (kind) {
     case PluginKind::kernel: check_kernel(run); break;
     case PluginKind::boundary: check_boundary(run); break;
+    case PluginKind::initial: check_initial(run); break;
     case PluginKind::physics: check_physics(run); break;
     case PluginKind::observer: check_observer(run); break;
   }

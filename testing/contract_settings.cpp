@@ -10,7 +10,7 @@
 #include "case/case.hpp"
 #include "case/toml_text.hpp"
 #include "mesogen/testing/plugin_harness.hpp"
-#include "plugin/plugin_call.hpp"
+#include "plugin/sample_scene.hpp"
 #include "scene_text.hpp"
 
 namespace mesogen::testing {
@@ -46,16 +46,18 @@ const PluginChoice& choice_of(PluginKind kind, const Case& scene) {
   switch (kind) {
     case PluginKind::kernel: return scene.kernel;
     case PluginKind::boundary: return scene.boundary;
+    case PluginKind::initial: return scene.initial.front();
     case PluginKind::physics: return scene.physics.front();
     case PluginKind::observer: break;
   }
   return scene.observers.front();
 }
 
-std::string section_of(PluginKind kind) {
+std::string section_of(PluginKind kind, const std::string& name) {
   switch (kind) {
     case PluginKind::kernel: return "kernel.";
     case PluginKind::boundary: return "domain.boundary.";
+    case PluginKind::initial: return name + ".";
     case PluginKind::physics: return fmt::format("physics.{}.", tested_instance);
     case PluginKind::observer: break;
   }
@@ -69,19 +71,8 @@ void replace_all(std::string& text, const std::string& what, std::string_view by
 
 /// The names of all numbers that any physics plugin publishes.
 std::set<std::string> published(const PluginRegistry& registry) {
-  Constants constants;
-  for (const std::string& name : registry.names(PluginKind::physics)) {
-    try {
-      const auto physics = registry.make_physics(name, Precision::double_precision, 2);
-      ParameterList list;
-      call_plugin(name, "parameters()", [&] { physics->parameters(list); });
-      call_plugin(name, "constants()", [&] { physics->constants(constants); });
-    } catch (const std::exception&) {
-      // What is wrong with another plugin is not asked here.
-    }
-  }
   std::set<std::string> names;
-  for (const auto& [name, value] : constants) names.insert(name);
+  for (const auto& [name, value] : sample_scene(registry).constants) names.insert(name);
   return names;
 }
 
@@ -91,12 +82,12 @@ std::string keys_of(PluginKind kind, const std::string& name, const ParameterLis
                     const ContractSettings& settings) {
   std::string keys;
   for (const Parameter& parameter : list.all())
-    if (parameter.is_required && !settings.values.contains(parameter.name))
+    if (parameter.is_required && parameter.condition_key.empty() && !settings.values.contains(parameter.name))
       keys += fmt::format("{} = {}\n", parameter.name, value_in_range(parameter));
   if (settings.values.empty()) return keys;
 
   // The case reader judges the values, as overrides of a case: so a word needs no quotes, and --set is named.
-  const std::string section = section_of(kind);
+  const std::string section = section_of(kind, name);
   std::vector<std::string> overrides;
   for (const auto& [key, value] : settings.values) overrides.push_back(section + key + "=" + value);
   Problems problems;

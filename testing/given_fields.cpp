@@ -6,6 +6,7 @@
 #include <set>
 
 #include "plugin/plugin_call.hpp"
+#include "plugin/sample_scene.hpp"
 #include "schedule/derived_name.hpp"
 
 namespace mesogen::testing {
@@ -99,10 +100,11 @@ void SceneCompletion::add_missing(Setup& setup) const {
         for (const std::string& field : *list) add_missing(setup, field, false, by);
       for (const std::string& field : pass.accumulate_list) add_missing(setup, field, true, by);
     }
-  // The order tensor starts as [director] says; here it is a field like others.
-  const auto* const entry = setup.catalogue.find("order_tensor");
-  if (entry != nullptr && !anyone_makes(setup, "order_tensor"))
-    setup.catalogue.add_initial(FieldDeclaration(entry->declaration), owner);
+  // What a case must set at the start is here a field like others.
+  std::vector<FieldDeclaration> to_set;
+  for (const auto& [name, entry] : setup.catalogue.all())
+    if (entry.declaration.needs_start && !entry.initial) to_set.push_back(entry.declaration);
+  for (const FieldDeclaration& field : to_set) setup.catalogue.add_initial(field, owner);
 }
 
 void SceneCompletion::add_missing(Setup& setup, const std::string& wanted, bool written, const std::string& by) const {
@@ -136,17 +138,20 @@ void SceneCompletion::keep_all(Setup& setup) {
 
 /// What the plugins that can be found say of a field; no name if none knows it.
 FieldDeclaration SceneCompletion::known(const std::string& field) const {
-  if (field == "order_tensor") return declaration(field, Rank::order_tensor, "1");
-  if (field == "velocity") return declaration(field, Rank::vector, "m/s");
-  if (field == "colour") return declaration(field, Rank::scalar, "1");
+  for (const std::string& name : registry_.names(PluginKind::initial)) {
+    InitialPlan plan;
+    const auto initial = registry_.make_initial(name);
+    call_plugin(name, "plan()", [&] { initial->plan(plan); });
+    for (const FieldDeclaration& declared : plan.fields())
+      if (declared.name == field) return declaration(field, declared.rank, declared.unit_text);
+  }
   for (const auto& plugin : registry_.all()) {
     if (plugin.descriptor->kind != PluginKind::physics) continue;
-    PassList list;
     const std::string_view name = plugin.descriptor->name;
     const auto physics = registry_.make_physics(name, Precision::double_precision, 2);
     ParameterList parameters;
     call_plugin(name, "parameters()", [&] { physics->parameters(parameters); });
-    call_plugin(name, "passes()", [&] { physics->passes(list); });
+    const PassList list = sample_declaration(*physics, name, registry_);
     for (const FieldDeclaration& declared : list.fields())
       if (declared.name == field) return declaration(field, declared.rank, declared.unit_text);
   }

@@ -40,12 +40,10 @@ HarnessRun::HarnessRun(const std::string& case_text, const PluginRegistry& regis
 
 std::set<std::string> HarnessRun::seeded_fields() const {
   std::set<std::string> fields;
-  const Case& source = setup_->source;
-  for (const auto& [name, entry] : setup_->catalogue.all()) {
-    const bool by_case = (name == "order_tensor" && source.director.given) ||
-                         (name == "velocity" && source.velocity.given) || (name == "colour" && source.colour.given);
-    if (setup_->catalogue.outlasts_step(name) && !by_case && !given_.contains(name)) fields.insert(name);
-  }
+  for (const auto& [name, entry] : setup_->catalogue.all())
+    if (setup_->catalogue.outlasts_step(name) && !given_.contains(name)) fields.insert(name);
+  for (const auto& member : setup_->initial)
+    for (const FieldDeclaration& field : member.plan.fields()) fields.erase(field.name);
   return fields;
 }
 

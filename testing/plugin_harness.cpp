@@ -204,7 +204,7 @@ sph::SmoothingKernel PluginHarness::smoothing() { return implementation_->run().
 
 std::map<std::string, double> PluginHarness::step_limits() {
   std::map<std::string, double> limits;
-  for (const auto& limit : implementation_->run().setup().limits.all()) limits[limit.name] = limit.seconds;
+  for (const auto& limit : implementation_->run().setup().limits.all()) limits[limit.text] = limit.seconds;
   return limits;
 }
 
@@ -224,6 +224,12 @@ Boundary& PluginHarness::boundary() {
   return *implementation_->run().setup().boundary;
 }
 
+Initial& PluginHarness::initial() {
+  auto& members = implementation_->run().setup().initial;
+  implementation_->require(PluginKind::initial, !members.empty());
+  return *members.front().plugin;
+}
+
 Physics& PluginHarness::physics() {
   auto& members = implementation_->run().setup().physics;
   implementation_->require(PluginKind::physics, !members.empty());
@@ -240,6 +246,12 @@ const PassList& PluginHarness::passes() {
   auto& members = implementation_->run().setup().physics;
   implementation_->require(PluginKind::physics, !members.empty());
   return members.front().passes;
+}
+
+const InitialPlan& PluginHarness::initial_plan() {
+  auto& members = implementation_->run().setup().initial;
+  implementation_->require(PluginKind::initial, !members.empty());
+  return members.front().plan;
 }
 
 const ObserverPlan& PluginHarness::plan() {

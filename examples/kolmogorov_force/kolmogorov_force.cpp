@@ -32,7 +32,7 @@ class KolmogorovForce final : public Physics {
     list.integer("waves", waves_).unit("1").at_least(1).doc("n: periods along y");
   }
 
-  void passes(PassList& list) override {
+  void declare(const Scene&, PassList& list) override {
     list.pass("Kolmogorov force")
         .reads({"density"})
         .accumulates({"acceleration"})

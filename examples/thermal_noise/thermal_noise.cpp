@@ -56,16 +56,12 @@ class ThermalNoise final : public Physics {
     list.integer("seed", seed_).unit("1").doc("of the random numbers");
   }
 
-  void prepare(const Scene& scene) override {
-    const auto gamma = scene.constants.find("rotational_diffusivity");
-    if (gamma == scene.constants.end())
+  void declare(const Scene& scene, PassList& list) override {
+    if (!scene.constants.contains("rotational_diffusivity"))
       throw Error(ExitCode::bad_case,
                   "thermal_noise needs the rotational diffusivity of a nematic: add a [physics.*] section with type = "
                   "\"beris_edwards\"");
-    gamma_ = gamma->second;
-  }
-
-  void passes(PassList& list) override {
+    gamma_ = scene.constant("rotational_diffusivity");
     list.pass("thermal noise")
         .reads({"volume"})
         .accumulates({"order_tensor_rate"})

@@ -19,7 +19,7 @@ namespace mesogen {
 /// A plugin that the case asks for. Whether there is such a plugin is for the registry to say.
 struct PluginChoice {
   std::string type;      ///< name of the plugin; empty if a problem was reported
-  std::string instance;  ///< "flow" of [physics.flow]; "kernel"; "boundary"
+  std::string instance;  ///< "flow" of [physics.flow]; "kernel"; "boundary"; "director"
   CaseSection section;
   std::string type_key;                     ///< full key of the name, "physics.flow.type", for messages
   SourcePlace type_place;                   ///< where the name stands
@@ -37,9 +37,6 @@ struct ObserverTiming {
 
 /// A case, checked, without the plugins' own parameters.
 struct MESOGEN_EXPORT Case {
-  /// x, y, wave numbers or amplitudes: the meaning of a row is given where it is used.
-  using Rows = Parameter::Rows;
-
   struct Domain {
     std::vector<double> size;  ///< edge lengths, m; two numbers
   };
@@ -48,27 +45,6 @@ struct MESOGEN_EXPORT Case {
     std::string arrangement = "lattice";  ///< lattice, hexagonal or jittered
     std::int64_t seed = 1;
     double jitter = 0.2;  ///< largest shift along each axis, in spacings; jittered only
-  };
-  struct Director {
-    bool given = false;
-    std::string type = "uniform";  ///< uniform, perturbed, modes or defects
-    double angle = 0.0;            ///< rad, added to all others
-    double order = 1.0;            ///< magnitude q of the order tensor
-    double amplitude = 0.0;        ///< perturbed: largest deviation, rad
-    std::int64_t seed = 1;         ///< perturbed
-    Rows modes;                    ///< rows mx, my, amplitude (rad), phase (rad)
-    Rows defects;                  ///< rows x (m), y (m), charge (+0.5 or -0.5)
-    double core = 0.0;             ///< defects: core radius, m; by default the spacing
-  };
-  struct Velocity {
-    bool given = false;
-    std::string type = "rest";               ///< rest, uniform or modes
-    std::vector<double> value = {0.0, 0.0};  ///< uniform: m/s
-    Rows modes;                              ///< rows mx, my, amplitude of the stream function (m^2/s), phase (rad)
-  };
-  struct Colour {
-    bool given = false;
-    std::string type = "quarter";  ///< 1 where x < Lx/2 and y < Ly/2, else 0
   };
   struct Time {
     double end = 0.0;                 ///< s
@@ -81,8 +57,8 @@ struct MESOGEN_EXPORT Case {
     double checkpoint_interval = 60.0;       ///< s of wall time
     std::vector<double> checkpoint_times;    ///< s of simulated time: checkpoints kept for good
     std::optional<double> checkpoint_every;  ///< s of simulated time between such
-    /// Without position, which is always stored. If not given in the case: those of these that the scene has.
-    std::vector<std::string> fields = {"velocity", "order_tensor"};
+    /// Without position, which is always stored. If not given in the case: those that plugins declare as shown.
+    std::vector<std::string> fields;
     bool fields_given = false;
   };
   struct Run {
@@ -99,9 +75,7 @@ struct MESOGEN_EXPORT Case {
   PluginChoice kernel;
   double smoothing_length_ratio = 4.0 / 3.0;  ///< h in particle spacings; key kernel.smoothing_length
   std::string laplacian = "consistent";       ///< or "plain"; key kernel.laplacian
-  Director director;
-  Velocity velocity;
-  Colour colour;
+  std::vector<PluginChoice> initial;          ///< sections that are not the framework's own, in the order of the file
   Time time;
   std::vector<PluginChoice> physics;    ///< in the order of the file
   std::vector<PluginChoice> observers;  ///< in the order of the file

@@ -22,6 +22,7 @@ class CaseReader {
     read_units();
     read_domain();
     read_kernel();
+    read_particles();
     read_initial();
     read_time_and_output();
     case_.physics = instances("physics", {"type"});
@@ -37,10 +38,15 @@ class CaseReader {
   void check_names() {
     std::vector<std::string> known = {"title"};
     for (const auto& section : case_keys::sections())
-      if (!section.name.empty() && section.name.find('.') == std::string::npos) known.push_back(section.name);
+      if (!section.name.empty() && section.name.find('.') == std::string::npos && section.name != "NAME")
+        known.push_back(section.name);
     for (const auto& [key, place, value] : *case_.tree->as<Value::Table>()) {
       if (std::find(known.begin(), known.end(), key) == known.end()) {
-        const auto hint = did_you_mean(key, known);
+        const std::string hint = did_you_mean(key, known);
+        if (hint.empty() && value.as<Value::Table>() != nullptr) {
+          initial_.push_back({key, place});
+          continue;
+        }
         misspelt_.push_back(nearest(key, known));
         problems_.add(place, key, "unknown section or key" + (hint.empty() ? "; known here: " + listed(known) : hint));
       } else if (key == "title") {
@@ -75,51 +81,16 @@ class CaseReader {
     if (!broken(from.path())) from.read(list, problems_, other_keys);
   }
 
-  /// Reads a section in which the text under `choice_key` says which other keys apply.
-  template <class Target>
-  void read_dependent(const CaseSection& from, const std::string& choice_key, const std::string& choice, Target& target,
-                      ParameterList (*keys)(Target&)) {
-    Problems reported_later;
-    from.read_only(keys(target), reported_later);
-    const auto* const given = case_.tree->find_path(from.full_key(choice_key));
-    const auto* const text = given == nullptr ? nullptr : given->as<std::string>();
-    const bool unclear = given == nullptr ? choice_key == "type" : (text == nullptr || *text != choice);
-    read_with_idle(from, target, keys(target), unclear);
-  }
+  void read_particles() { read_keys(section("particles"), case_keys::particles(case_.particles)); }
 
-  /// `unclear`: what other keys depend on is itself refused, so nothing can be said of them.
-  template <class Target>
-  void read_with_idle(const CaseSection& from, const Target& target, const ParameterList& list, bool unclear) {
-    std::vector<std::string> idle;
-    for (const auto& [key, applies, condition] : case_keys::idle_keys(target)) {
-      if (applies || !from.has(key)) continue;
-      idle.push_back(key);
-      if (!unclear) problems_.add(from.place_of(key), from.full_key(key), "has a meaning only with " + condition);
-    }
-    read_keys(from, list, idle);
-  }
-
+  /// What is no section of the framework's is called after an initial condition; whether there is one is for the
+  /// registry to say.
   void read_initial() {
-    const CaseSection particles = section("particles");
-    read_dependent(particles, "arrangement", case_.particles.arrangement, case_.particles, case_keys::particles);
-    const CaseSection director = section("director");
-    // As good as given while its name is misspelt: nobody is to ask for it as well.
-    case_.director.given = director.given() || broken("director");
-    case_.director.core = case_.particles.spacing;
-    if (director.given()) read_dependent(director, "type", case_.director.type, case_.director, case_keys::director);
-    const CaseSection velocity = section("velocity");
-    case_.velocity.given = velocity.given();
-    if (velocity.given()) read_dependent(velocity, "type", case_.velocity.type, case_.velocity, case_keys::velocity);
-    const CaseSection colour = section("colour");
-    case_.colour.given = colour.given();
-    if (colour.given()) read_keys(colour, case_keys::colour(case_.colour));
+    for (const auto& [name, place] : initial_) case_.initial.push_back({name, name, section(name), name, place, {}});
   }
 
   void read_time_and_output() {
-    const CaseSection time = section("time");
-    Problems reported_later;
-    time.read_only(case_keys::time(case_.time), reported_later);
-    read_with_idle(time, case_.time, case_keys::time(case_.time), false);
+    read_keys(section("time"), case_keys::time(case_.time));
     case_.output.interval = case_.time.end;
     const CaseSection output = section("output");
     read_keys(output, case_keys::output(case_.output));
@@ -247,7 +218,8 @@ class CaseReader {
 
   Case& case_;
   Problems& problems_;
-  std::vector<std::string> misspelt_;  ///< sections that unknown names most likely mean
+  std::vector<std::pair<std::string, SourcePlace>> initial_;  ///< sections that an initial condition may have
+  std::vector<std::string> misspelt_;                         ///< sections that unknown names most likely mean
 };
 
 }  // namespace

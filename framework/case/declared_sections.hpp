@@ -1,7 +1,5 @@
 #pragma once
 
-#include <optional>
-#include <string>
 #include <vector>
 
 #include "case/declared_keys.hpp"
@@ -10,18 +8,10 @@
 
 namespace mesogen {
 
-/// The keys that a section has while one of them, such as `type`, holds a certain value.
-struct SectionForm {
-  std::string key;                  ///< the one that the others depend on; empty: there is one form
-  std::optional<std::string> word;  ///< what it holds; none: anything else
-  bool unless_given = false;        ///< this is also the form while that key is missing
-  std::vector<DeclaredKey> keys;
-};
-
-/// A section with the framework's own keys in all its forms. Those of plugins come on top.
+/// A section with the framework's own keys. Those of plugins come on top.
 struct DeclaredSection {
   case_keys::Section section;
-  std::vector<SectionForm> forms;
+  std::vector<DeclaredKey> keys;
 };
 
 /// All that a case may hold, as case/framework_keys declares it: for the schema and the reference.

@@ -4,17 +4,6 @@
 
 namespace mesogen::case_keys {
 
-namespace {
-
-template <class Section>
-bool applies(const Section& section, const std::string& key) {
-  for (const auto& idle : idle_keys(section))
-    if (idle.key == key) return idle.applies;
-  return true;
-}
-
-}  // namespace
-
 const std::vector<Section>& sections() {
   static const std::vector<Section> all = {
       {.name = "", .doc = "Before the first section."},
@@ -30,11 +19,10 @@ const std::vector<Section>& sections() {
        .plugin = PluginKind::boundary},
       {.name = "particles", .doc = "How the box is filled.", .required = true},
       {.name = "kernel", .doc = "The smoothing kernel.", .required = true, .plugin = PluginKind::kernel},
-      {.name = "director",
-       .doc = "How the nematic starts; needed where a plugin brings an order tensor. The angle of the director is the "
-              "sum of `angle` and what the type adds."},
-      {.name = "velocity", .doc = "How the fluid moves at the start; by default it rests."},
-      {.name = "colour", .doc = "A dye that the particles carry, for the observer `mixing`."},
+      {.name = "NAME",
+       .doc = "An initial condition: what the particles carry when the run starts. The section has the name of the "
+              "plugin, such as [director] or [velocity].",
+       .plugin = PluginKind::initial},
       {.name = "physics",
        .doc = "What happens: at least one table, named at will, such as [physics.flow].",
        .required = true,
@@ -79,11 +67,11 @@ ParameterList particles(Case::Particles& particles) {
       .doc("where particles start")
       .choices({"lattice", "hexagonal", "jittered"});
   list.integer("seed", particles.seed).doc("of the random numbers");
-  if (applies(particles, "jitter"))
-    list.number("jitter", particles.jitter)
-        .doc("largest shift along each axis, in spacings")
-        .at_least(0.0)
-        .at_most(0.5);
+  list.number("jitter", particles.jitter)
+      .doc("largest shift along each axis, in spacings")
+      .at_least(0.0)
+      .at_most(0.5)
+      .only_with("arrangement", {"jittered"});
   return list;
 }
 
@@ -98,54 +86,6 @@ ParameterList kernel(double& smoothing_length_ratio, std::string& laplacian) {
   return list;
 }
 
-ParameterList director(Case::Director& director) {
-  ParameterList list;
-  list.text("type", director.type)
-      .doc("how the director lies at the start")
-      .choices({"uniform", "perturbed", "modes", "defects"})
-      .required();
-  list.number("order", director.order).doc("magnitude of the order tensor").at_least(0.0);
-  list.number("angle", director.angle).unit("rad").doc("of the director to the x axis; added to all else");
-  if (applies(director, "amplitude"))
-    list.number("amplitude", director.amplitude).unit("rad").doc("largest random deviation").at_least(0.0).required();
-  if (applies(director, "seed")) list.integer("seed", director.seed).doc("of the random deviations");
-  if (applies(director, "modes"))
-    list.rows("modes", director.modes)
-        .doc("rows mx, my, amplitude (rad), phase (rad): cosine waves of the angle")
-        .sizes({4})
-        .required();
-  if (applies(director, "defects"))
-    list.rows("defects", director.defects)
-        .doc("rows x (m), y (m), charge (0.5 or -0.5); beyond a periodic face they are folded into the box")
-        .sizes({3})
-        .required();
-  if (applies(director, "core"))
-    list.number("core", director.core).unit("m").doc("core radius of the defects; by default the spacing").above(0.0);
-  return list;
-}
-
-ParameterList velocity(Case::Velocity& velocity) {
-  ParameterList list;
-  list.text("type", velocity.type)
-      .doc("how the fluid moves at the start")
-      .choices({"rest", "uniform", "modes"})
-      .required();
-  if (applies(velocity, "value"))
-    list.numbers("value", velocity.value).unit("m/s").doc("velocity everywhere").sizes({2}).required();
-  if (applies(velocity, "modes"))
-    list.rows("modes", velocity.modes)
-        .doc("rows mx, my, amplitude (m^2/s), phase (rad): cosine waves of the stream function")
-        .sizes({4})
-        .required();
-  return list;
-}
-
-ParameterList colour(Case::Colour& colour) {
-  ParameterList list;
-  list.text("type", colour.type).doc("quarter: 1 where x < Lx/2 and y < Ly/2, else 0").choices({"quarter"}).required();
-  return list;
-}
-
 ParameterList time(Case::Time& time) {
   ParameterList list;
   list.number("end", time.end).unit("s").doc("simulated time to run").above(0.0).required();
@@ -156,8 +96,10 @@ ParameterList time(Case::Time& time) {
   list.text("scheme", time.scheme)
       .choices({"half_steps", "midpoint"})
       .doc("velocity and order tensor advanced by halves of the rates before and after, or by the midpoint's alone");
-  if (applies(time, "factor"))
-    list.number("factor", time.factor).doc("automatic step in multiples of its stability limit").above(0.0);
+  list.number("factor", time.factor)
+      .doc("automatic step in multiples of its stability limit")
+      .above(0.0)
+      .only_with("step", {"auto"});
   return list;
 }
 
@@ -184,7 +126,7 @@ ParameterList output(Case::Output& output) {
       .doc("simulated time between such checkpoints; beside checkpoint_times: both")
       .above(0.0);
   list.texts("fields", output.fields)
-      .doc("stored fields of the particles, beside their positions; by default those of these that the scene has");
+      .doc("stored fields of the particles, beside their positions; by default those that their plugins show");
   return list;
 }
 
@@ -219,27 +161,6 @@ ParameterList timing(ObserverTiming& timing, std::int64_t& every) {
       .doc("steps between samples; not beside interval. Leaves the steps as they are")
       .at_least(1.0);
   return list;
-}
-
-std::vector<IdleKey> idle_keys(const Case::Particles& particles) {
-  return {{"jitter", particles.arrangement == "jittered", "arrangement = \"jittered\""}};
-}
-
-std::vector<IdleKey> idle_keys(const Case::Director& director) {
-  const auto only = [&](const std::string& key, const std::string& type) {
-    return IdleKey{key, director.type == type, "type = \"" + type + "\""};
-  };
-  return {only("amplitude", "perturbed"), only("seed", "perturbed"), only("modes", "modes"), only("defects", "defects"),
-          only("core", "defects")};
-}
-
-std::vector<IdleKey> idle_keys(const Case::Velocity& velocity) {
-  return {{"value", velocity.type == "uniform", "type = \"uniform\""},
-          {"modes", velocity.type == "modes", "type = \"modes\""}};
-}
-
-std::vector<IdleKey> idle_keys(const Case::Time& time) {
-  return {{"factor", !time.step.has_value(), "step = \"auto\""}};
 }
 
 }  // namespace mesogen::case_keys

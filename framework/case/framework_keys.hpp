@@ -9,12 +9,12 @@
 #include "mesogen/plugin/descriptor.hpp"
 
 /// The keys that the framework itself reads, bound to a case: for reading, for messages and for writing it back.
-/// Where keys depend on a type, the lists hold those of the type that the case has now.
 namespace mesogen::case_keys {
 
 /// A section of a case, or a part of one that chooses a plugin.
 struct Section {
-  std::string name;  ///< "domain", "domain.boundary"; empty: keys outside any section
+  /// "domain", "domain.boundary"; empty: keys outside any section; "NAME": a section called after its plugin.
+  std::string name;
   std::string doc;
   bool required = false;
   bool instances = false;                           ///< holds tables named by the user, such as [physics.flow]
@@ -28,9 +28,6 @@ ParameterList units(Units& units);
 ParameterList domain(Case::Domain& domain);
 ParameterList particles(Case::Particles& particles);
 ParameterList kernel(double& smoothing_length_ratio, std::string& laplacian);
-ParameterList director(Case::Director& director);
-ParameterList velocity(Case::Velocity& velocity);
-ParameterList colour(Case::Colour& colour);
 ParameterList time(Case::Time& time);
 ParameterList output(Case::Output& output);
 /// `precision` holds the word for Case::Run::precision.
@@ -39,16 +36,5 @@ ParameterList run(Case::Run& run, std::string& precision);
 ParameterList plugin(std::string& type);
 /// `every` holds the number for ObserverTiming::every; 0: not given.
 ParameterList timing(ObserverTiming& timing, std::int64_t& every);
-
-/// A key that means something only beside a certain value of another.
-struct IdleKey {
-  std::string key;
-  bool applies;
-  std::string condition;  ///< "type = \"modes\""
-};
-std::vector<IdleKey> idle_keys(const Case::Particles& particles);
-std::vector<IdleKey> idle_keys(const Case::Director& director);
-std::vector<IdleKey> idle_keys(const Case::Velocity& velocity);
-std::vector<IdleKey> idle_keys(const Case::Time& time);
 
 }  // namespace mesogen::case_keys

@@ -11,7 +11,7 @@ namespace {
 
 void fill(Value& tree, const std::string& path, const ParameterList& list, const std::string& left_open = "") {
   for (const auto& parameter : list.all())
-    if (auto value = current_value(parameter); value && parameter.name != left_open)
+    if (auto value = current_value(parameter); value && parameter.name != left_open && list.applies(parameter))
       tree.set_path(joined(path, parameter.name), std::move(*value));
 }
 
@@ -27,9 +27,6 @@ ResolvedCase::ResolvedCase(const Case& source)
   fill(*tree_, "domain", case_keys::domain(copy.domain));
   fill(*tree_, "particles", case_keys::particles(copy.particles));
   fill(*tree_, "kernel", case_keys::kernel(copy.smoothing_length_ratio, copy.laplacian));
-  if (copy.director.given) fill(*tree_, "director", case_keys::director(copy.director));
-  if (copy.velocity.given) fill(*tree_, "velocity", case_keys::velocity(copy.velocity));
-  if (copy.colour.given) fill(*tree_, "colour", case_keys::colour(copy.colour));
   fill(*tree_, "time", case_keys::time(copy.time));
   fill(*tree_, "output", case_keys::output(copy.output), copy.output.fields_given ? "" : "fields");
   fill(*tree_, "run", case_keys::run(copy.run, precision));

@@ -1,6 +1,7 @@
 #include "case/section.hpp"
 
 #include <algorithm>
+#include <set>
 #include <utility>
 
 #include "case/nearest.hpp"
@@ -41,18 +42,31 @@ class SectionReader {
     for (Parameter parameter : list_.all()) {
       parameter.unit_text = section_.units().text(parameter.unit_text);
       const Value* const value = table == nullptr ? nullptr : table->find_path(parameter.name);
-      if (value != nullptr) {
-        if (const auto refusal = take_value(parameter, *value))
+      const bool unclear = wrong_.contains(parameter.condition_key);
+      if (!list_.applies(parameter)) {
+        if (value != nullptr && !unclear)
+          problems_.add(value->place, section_.full_key(parameter.name),
+                        "has a meaning only with " + parameter.condition_text());
+      } else if (value != nullptr) {
+        if (const auto refusal = take_value(parameter, *value)) {
           problems_.add(refusal->place, section_.full_key(parameter.name), refusal->text);
-      } else if (parameter.is_required && !explained(parameter.name)) {
-        std::string text = "must be given: " + expected_text(parameter);
-        if (!parameter.doc_text.empty()) text += " (" + parameter.doc_text + ")";
-        problems_.add(section_.place_of(parameter.name), section_.full_key(parameter.name), text);
+          wrong_.insert(parameter.name);
+        }
+      } else if (parameter.is_required) {
+        wrong_.insert(parameter.name);
+        if (explained(parameter.name) || unclear) continue;
+        require(parameter);
       }
     }
   }
 
  private:
+  void require(const Parameter& parameter) {
+    std::string text = "must be given: " + expected_text(parameter);
+    if (!parameter.doc_text.empty()) text += " (" + parameter.doc_text + ")";
+    problems_.add(section_.place_of(parameter.name), section_.full_key(parameter.name), text);
+  }
+
   static std::string listed(const std::vector<std::string>& keys) {
     std::string text;
     for (const auto& key : keys) text += (text.empty() ? "" : ", ") + key;
@@ -76,7 +90,9 @@ class SectionReader {
                   const std::vector<std::string>& known) {
     const std::string meant = nearest(key, known);
     std::string text = "unknown key";
-    if (!meant.empty()) {
+    if (const std::string advice = list_.moved_advice(key_path); !advice.empty()) {
+      text = advice;
+    } else if (!meant.empty()) {
       text += did_you_mean(key, known);
       misspelt_.push_back(key_path.substr(0, key_path.size() - key.size()) + meant);
     } else {
@@ -95,6 +111,7 @@ class SectionReader {
   const CaseSection& section_;
   const ParameterList& list_;
   Problems& problems_;
+  std::set<std::string> wrong_;  // keys that are missing or refused: what depends on them is not known
   std::vector<std::string> misspelt_;
   std::vector<std::string> broken_tables_;
 };

@@ -4,4 +4,6 @@ namespace mesogen {
 
 Error::~Error() = default;
 
+BadParameter::~BadParameter() = default;
+
 }  // namespace mesogen

@@ -1,42 +1,59 @@
 #include "forecast/advice.hpp"
 
+#include <cmath>
+
 #include "forecast/advice_rules.hpp"
+#include "initial/arrangement.hpp"
 #include "plugin/plugin_call.hpp"
 
 namespace mesogen {
 
-namespace rules {
+namespace {
 
-std::string key_of(const Setup& setup, const std::string& parameter) {
-  for (const auto& member : setup.physics) {
-    ParameterList list;
-    member.plugin->parameters(list);
-    for (const Parameter& declared : list.all())
-      if (declared.name == parameter) return member.instance + "." + parameter;
-  }
-  return {};
+/// The largest spacing, not above this one, for which whole columns and rows fit the box.
+double fitting_spacing(const Setup& setup, double at_most) {
+  const double length = setup.scene.box[0];
+  const double first = std::ceil(length / at_most);
+  Case source = setup.source;
+  const auto fits = [&](double columns) {
+    source.particles.spacing = length / columns;
+    return arrangement_problem(source).empty();
+  };
+  double columns = first;
+  while (columns < 2.0 * first && !fits(columns)) ++columns;
+  return length / columns;
 }
 
-}  // namespace rules
+}  // namespace
 
-std::vector<Advice> advice(const AdviceInput& input) {
-  constexpr rules::Rule* all[] = {rules::no_inertia,         rules::few_neighbours,   rules::core_under_resolved,
-                                  rules::core_over_resolved, rules::sound_too_slow,   rules::sound_too_fast,
-                                  rules::short_step,         rules::double_precision, rules::nothing_grows,
-                                  rules::no_order,           rules::large_output};
-  std::vector<Advice> given;
+std::vector<Suggestion> advice(const AdviceInput& input) {
+  constexpr rules::Rule* all[] = {rules::few_neighbours, rules::short_step, rules::double_precision,
+                                  rules::large_output};
+  std::vector<Suggestion> given;
   for (rules::Rule* const rule : all)
     if (auto one = rule(input)) given.push_back(std::move(*one));
-  for (const auto& member : input.setup.physics) {
-    std::vector<Suggestion> suggestions;
-    call_plugin(member.type, "suggest()",
-                [&] { member.plugin->suggest(input.setup.scene, input.setup.limits, suggestions); });
-    for (Suggestion& one : suggestions) {
-      for (std::string& setting : one.settings) setting = member.instance + "." + setting;
-      given.push_back({one.name, one.finding, one.settings, one.gain});
-    }
+  const Setup& setup = input.setup;
+  for (const auto& member : setup.physics) {
+    if (!member.passes.advice()) continue;
+    const AdviceContext context{.scene = setup.scene,
+                                .limits = setup.limits,
+                                .binding = input.steps.cause,
+                                .step_is_given = input.steps.fixed,
+                                .section = member.instance,
+                                .unit = [&](std::string_view si) { return setup.source.units.text(si); },
+                                .fitting_spacing = [&](double at_most) { return fitting_spacing(setup, at_most); }};
+    call_plugin(member.type, "advice", [&] { member.passes.advice()(context, given); });
   }
   return given;
+}
+
+std::vector<SceneNumber> scene_numbers(const Setup& setup) {
+  std::vector<SceneNumber> all;
+  for (const auto& member : setup.physics)
+    if (member.passes.numbers())
+      call_plugin(member.type, "numbers", [&] { member.passes.numbers()(setup.scene, all); });
+  for (SceneNumber& number : all) number.unit = setup.source.units.text(number.unit);
+  return all;
 }
 
 }  // namespace mesogen

@@ -6,7 +6,6 @@
 #include <set>
 
 #include "domain/neighbourhood.hpp"
-#include "plugin/plugin_call.hpp"
 #include "simulation/planned_fields.hpp"
 
 namespace mesogen {
@@ -112,9 +111,10 @@ class Counted {
     double bytes = axes_ * (exact + (in_memory ? exact : 4.0));  // position, image
     for (const std::string& name : setup_.output_fields) {
       bytes += setup_.catalogue.components(name) * (in_memory ? exact : number_);
-      // Made of it for ParaView: a component of the tensor, and the director in single precision.
-      if (!in_memory && setup_.catalogue.rank(name) == Rank::order_tensor) bytes += number_;
-      if (!in_memory && name == "order_tensor") bytes += 2.0 * 4.0;
+      // Made of it for ParaView: a component of the tensor, and of the nematic's the director in single precision.
+      if (in_memory || setup_.catalogue.rank(name) != Rank::order_tensor) continue;
+      bytes += number_;
+      if (setup_.catalogue.unit(name) == "1") bytes += 2.0 * 4.0;
     }
     return particles_ * bytes;
   }
@@ -173,8 +173,7 @@ MemoryForecast forecast_memory(const Setup& setup, double program) {
                       {"neighbour search", counted.neighbour_search()},
                       {"fields", counted.fields()}};
   double of_plugins = 0.0;
-  for (const auto& member : setup.physics)
-    call_plugin(member.type, "memory()", [&] { of_plugins += member.plugin->memory(); });
+  for (const auto& member : setup.physics) of_plugins += member.passes.memory();
   if (of_plugins > 0.0) forecast.lasting.push_back({"what plugins keep", of_plugins});
   if (const double weights = counted.weights(); weights > 0.0) forecast.lasting.push_back({"weights", weights});
   // Encoding holds the values, the file in memory, and the bytes that are written.

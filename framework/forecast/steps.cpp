@@ -36,6 +36,7 @@ StepForecast forecast_steps(const Setup& setup) {
   const auto rest = control.choose(0.0, 0.0);
   steps.first = rest.seconds;
   steps.limit = rest.limit;
+  steps.cause = rest.cause;
   steps.at_rest = count(marks, time.end, rest.seconds);
   if (!setup.graph->transport().velocity.empty()) steps.speed = setup.scene.scales.speed;
   const auto moving = control.choose(steps.speed, 0.0);

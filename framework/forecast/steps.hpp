@@ -4,6 +4,7 @@
 #include <string>
 
 #include "mesogen/export.hpp"
+#include "mesogen/plugin/step_limits.hpp"
 #include "simulation/setup.hpp"
 
 namespace mesogen {
@@ -12,8 +13,9 @@ namespace mesogen {
 /// counts are the least that it can take. Steps are cut to end on the times asked for, as in a run. The counts are
 /// whole numbers; infinite where they are beyond all numbers.
 struct StepForecast {
-  double first = 0.0;     ///< size of a step of the fluid at rest, s; infinite if nothing limits it
-  std::string limit;      ///< what binds then
+  double first = 0.0;  ///< size of a step of the fluid at rest, s; infinite if nothing limits it
+  std::string limit;   ///< what binds then, in words
+  StepCause cause = StepCause::nothing;
   double at_rest = 0.0;   ///< steps if the flow never binds
   double speed = 0.0;     ///< that the case expects, m/s; 0: it names none
   double at_speed = 0.0;  ///< size of a step at that speed, s

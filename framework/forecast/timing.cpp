@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "diagnostics/resources.hpp"
-#include "forecast/dimensionless_numbers.hpp"
 #include "forecast/memory.hpp"
 #include "output/checkpoint_file.hpp"
 #include "output/frame.hpp"
@@ -184,7 +183,7 @@ TimeForecast forecast_time(Setup& setup, const std::function<std::unique_ptr<Set
   }
   const double count = steps.expected;
   // The expected speed is the largest that there will be; on the way to it the flow is slower.
-  const double speed = std::max(fastest, expected_speed(setup.scene) / 2.0);
+  const double speed = std::max(fastest, setup.scene.expected_speed() / 2.0);
   const Transport& flow = setup.graph->transport();
   if (sorts && !flow.velocity.empty() && !flow.fixed)
     time.sortings = count_sortings(count, setup.source.time.end / count, speed, run.skin());

@@ -98,8 +98,7 @@ std::vector<ShownField> shown_fields(const std::vector<FieldShape>& fields, int 
   std::vector<ShownField> all;
   for (const FieldShape& field : fields) {
     for (ShownField& one : shown(field, dimension)) all.push_back(std::move(one));
-    if (field.name == "order_tensor" && field.components == 2 &&
-        std::ranges::find(fields, "director", &FieldShape::name) == fields.end())
+    if (has_director(field) && std::ranges::find(all, "director", &ShownField::name) == all.end())
       all.push_back({"director", vector_size, NumberType::float32, field, {{0, 0, 2, true}}});
   }
   return all;

@@ -33,7 +33,7 @@ struct ShownField {
   std::vector<Columns> columns;  ///< all other components are 0
 };
 
-/// In the order of the fields; the director behind the field `order_tensor`. A field of unknown rank is shown as a
+/// In the order of the fields; the director behind the order tensor. A field of unknown rank is shown as a
 /// scalar for each component.
 std::vector<ShownField> shown_fields(const std::vector<FieldShape>& fields, int dimension);
 

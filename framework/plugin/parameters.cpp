@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -71,6 +72,22 @@ Parameter& Parameter::sizes(std::vector<std::size_t> allowed) {
   return *this;
 }
 
+Parameter& Parameter::only_with(std::string_view other_key, std::vector<std::string> values) {
+  condition_key = other_key;
+  condition_values = std::move(values);
+  return *this;
+}
+
+std::string Parameter::condition_text() const {
+  std::string text;
+  for (std::size_t n = 0; n < condition_values.size(); ++n) {
+    const std::string& value = condition_values[n];
+    if (n > 0) text += n + 1 < condition_values.size() ? ", " : " or ";
+    text += value == "true" || value == "false" ? value : text_literal(value);
+  }
+  return text.empty() ? text : condition_key + " = " + text;
+}
+
 std::string Parameter::type_text() const {
   struct Names {
     const Parameter& self;
@@ -110,6 +127,26 @@ std::string Parameter::range_text() const {
   if (low && high) text += " and ";
   if (high) text += fmt::format("{} {}", highest_excluded ? "<" : "<=", highest);
   return text;
+}
+
+const Parameter* ParameterList::find(std::string_view name) const {
+  const auto found =
+      std::ranges::find_if(parameters_, [&](const Parameter& parameter) { return parameter.name == name; });
+  return found == parameters_.end() ? nullptr : &*found;
+}
+
+bool ParameterList::applies(const Parameter& parameter) const {
+  if (parameter.condition_key.empty()) return true;
+  const Parameter* const other = find(parameter.condition_key);
+  if (other == nullptr)
+    throw Error(ExitCode::plugin_refused,
+                fmt::format("the parameter \"{}\" depends on \"{}\", which is not declared: name a key of this list",
+                            parameter.name, parameter.condition_key));
+  const auto value = current_value(*other);
+  if (!value) return false;
+  const auto* const text = value->as<std::string>();
+  return std::ranges::find(parameter.condition_values, text != nullptr ? *text : inline_text(*value)) !=
+         parameter.condition_values.end();
 }
 
 Parameter& ParameterList::add(std::string_view name, Parameter::Target target) {

@@ -18,6 +18,8 @@ void rethrow_of_plugin(const PluginCall& call, ExitCode code) {
   const std::string where = call_text(call);
   try {
     throw;
+  } catch (const BadParameter&) {
+    throw;  // its key names the place
   } catch (const Error& error) {
     throw Error(error.code(), where + ": " + error.what());
   } catch (const std::bad_alloc&) {

@@ -57,6 +57,7 @@ std::string_view to_string(PluginKind kind) {
     case PluginKind::boundary: return "boundary";
     case PluginKind::physics: return "physics";
     case PluginKind::observer: return "observer";
+    case PluginKind::initial: return "initial";
   }
   return "plugin";
 }
@@ -195,6 +196,10 @@ std::unique_ptr<Boundary> PluginRegistry::make_boundary(std::string_view name, s
   return std::make_unique<NamedBoundary>(
       std::string(name), create<Boundary>(descriptor(PluginKind::boundary, name), Precision::double_precision, 2),
       std::move(length_unit));
+}
+
+PluginPointer<Initial> PluginRegistry::make_initial(std::string_view name) const {
+  return create<Initial>(descriptor(PluginKind::initial, name), Precision::double_precision, 2);
 }
 
 PluginPointer<Observer> PluginRegistry::make_observer(std::string_view name) const {

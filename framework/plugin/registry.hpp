@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -9,6 +10,7 @@
 #include "mesogen/diagnostics/error.hpp"
 #include "mesogen/plugin/boundary.hpp"
 #include "mesogen/plugin/descriptor.hpp"
+#include "mesogen/plugin/initial.hpp"
 #include "mesogen/plugin/kernel.hpp"
 #include "mesogen/plugin/observer.hpp"
 #include "mesogen/plugin/physics.hpp"
@@ -16,8 +18,12 @@
 
 namespace mesogen {
 
-/// "kernel", "boundary", "physics", "observer".
+/// "kernel", "boundary", "initial", "physics", "observer".
 MESOGEN_EXPORT std::string_view to_string(PluginKind kind);
+
+/// All kinds, in the order in which a case is best read.
+inline constexpr std::array plugin_kinds{PluginKind::kernel, PluginKind::boundary, PluginKind::initial,
+                                         PluginKind::physics, PluginKind::observer};
 
 /// A plugin whose library is loaded and whose descriptor was checked. Libraries stay loaded until the process ends, so
 /// the descriptor is valid as long.
@@ -66,6 +72,7 @@ class MESOGEN_EXPORT PluginRegistry {
   [[nodiscard]] PluginPointer<Kernel> make_kernel(std::string_view name) const;
   /// `length_unit`: of the case, for messages about places.
   [[nodiscard]] std::unique_ptr<Boundary> make_boundary(std::string_view name, std::string length_unit = "m") const;
+  [[nodiscard]] PluginPointer<Initial> make_initial(std::string_view name) const;
   [[nodiscard]] PluginPointer<Observer> make_observer(std::string_view name) const;
   [[nodiscard]] PluginPointer<Physics> make_physics(std::string_view name, Precision precision, int dimension) const;
   /// Has a physics plugin a library for CUDA?

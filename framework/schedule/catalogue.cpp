@@ -22,9 +22,17 @@ void Catalogue::add_initial(const FieldDeclaration& declaration, const std::stri
   const auto at = entries_.find(declaration.name);
   if (at == entries_.end()) {
     entries_.emplace(declaration.name, Entry{declaration, owner, true});
-  } else {
-    at->second.initial = true;
+    return;
   }
+  Entry& entry = at->second;
+  if (entry.initial)
+    throw Error(ExitCode::bad_case, "field '" + declaration.name + "' is set by more than one initial condition: [" +
+                                        owner + "] is one too many");
+  if (entry.declaration.rank != declaration.rank)
+    throw Error(ExitCode::bad_case, "field '" + declaration.name + "' is a " +
+                                        std::string(to_string(entry.declaration.rank)) + " of " + entry.owner +
+                                        ", but [" + owner + "] sets a " + std::string(to_string(declaration.rank)));
+  entry.initial = true;
 }
 
 const Catalogue::Entry* Catalogue::find(std::string_view field) const {

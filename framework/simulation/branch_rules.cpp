@@ -24,16 +24,19 @@ struct Fixed {
   std::string why;
 };
 
-const std::vector<Fixed>& fixed_sections() {
-  const std::string at_start =
-      "has an effect only at the start of a run, and a branch goes on with what the particles of the checkpoint carry";
-  static const std::vector<Fixed> all = {
+std::vector<Fixed> fixed_sections(const Case& before, const Case& after) {
+  std::vector<Fixed> all = {
       {"domain", {"size"}, "is that of the particles in the checkpoint"},
       {"particles", {}, "is about how a box is filled, and a branch goes on with the particles of the checkpoint"},
-      {"director", {}, at_start},
-      {"velocity", {}, at_start},
-      {"colour", {}, at_start},
   };
+  std::set<std::string> initial;
+  for (const auto* const source : {&before, &after})
+    for (const auto& choice : source->initial) initial.insert(choice.type);
+  for (const std::string& section : initial)
+    all.push_back({section,
+                   {},
+                   "has an effect only at the start of a run, and a branch goes on with what the particles of the "
+                   "checkpoint carry"});
   return all;
 }
 
@@ -50,7 +53,7 @@ std::string text_at(const Value& tree, const std::string& path) {
   return value == nullptr ? std::string() : inline_text(*value);
 }
 
-/// "order_tensor" of "field order_tensor 0".
+/// The field that a name of the checkpoint is about: "temperature" of "field temperature 0".
 std::set<std::string> fields_of(const Checkpoint& checkpoint) {
   constexpr std::string_view prefix = "field ";
   std::set<std::string> fields;
@@ -95,7 +98,7 @@ void check_branched_case(const Case& before, const Case& after, Problems& proble
   Problems none;
   const auto old_tree = parse_toml(before.resolved_text, before.file, none);
   const auto new_tree = parse_toml(after.resolved_text, after.file, none);
-  for (const Fixed& fixed : fixed_sections()) {
+  for (const Fixed& fixed : fixed_sections(before, after)) {
     std::set<std::string> keys = fixed.keys;
     if (keys.empty()) {
       keys = keys_of(old_tree->find(fixed.section));

@@ -129,7 +129,8 @@ void Guard::check_speed(const Motion& motion) const {
 
 void Guard::check_step(const Motion& motion) const {
   if (control_.fixed() || !std::isfinite(control_.at_rest())) return;
-  const auto [next, limit] = control_.choose(motion.fastest, motion.largest_acceleration);
+  const StepControl::Choice choice = control_.choose(motion.fastest, motion.largest_acceleration);
+  const double next = choice.seconds;
   if (!(next < shortest * control_.at_rest())) return;
   const Index count = world_.particles.count();
   const auto largest = [&](const Field* field, double value, const std::string& unit) {
@@ -141,7 +142,7 @@ void Guard::check_step(const Motion& motion) const {
           : ", and acceleration, " + largest(integrator_.acceleration(), motion.largest_acceleration, unit("m/s2"));
   const std::string ask = acceleration.empty() ? "asks" : "ask";
   stop("ran away: the largest speed, " + largest(integrator_.velocity(), motion.fastest, unit("m/s")) + acceleration +
-           ", " + ask + " for steps of " + rounded_text(next) + " " + unit("s") + " (" + limit +
+           ", " + ask + " for steps of " + rounded_text(next) + " " + unit("s") + " (" + choice.limit +
            "), where the fluid at rest allows " + rounded_text(control_.at_rest()) + " " + unit("s"),
        "If the flow is meant to be so fast, give the step by time.step");
 }

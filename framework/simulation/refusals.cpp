@@ -14,9 +14,10 @@ void refuse_traces(const Setup& setup, Problems& problems) {
                                  [](const auto& member) { return member.passes.transport().fixed; });
   if (flow == setup.physics.end()) return;
   const std::string why = "in the Eulerian motion of '" + flow->instance + "' particles stay where they are, so ";
-  if (source.colour.given)
-    problems.add(source.place("colour"), "colour",
-                 why + "a colour would not move; remove it, or take motion = \"lagrangian\"");
+  for (std::size_t n = 0; n < setup.initial.size(); ++n)
+    if (setup.initial[n].plan.moving_particles_needed())
+      problems.add(source.initial[n].section.place(), source.initial[n].section.path(),
+                   why + "what it sets would not move; remove it, or take motion = \"lagrangian\"");
   for (std::size_t n = 0; n < setup.observers.size(); ++n)
     if (setup.observers[n].plan.traces())
       problems.add(source.observers[n].section.place(), source.observers[n].section.path(),

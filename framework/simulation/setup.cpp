@@ -2,46 +2,77 @@
 
 #include "simulation/setup.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "case/nearest.hpp"
 #include "plugin/plugin_call.hpp"
+#include "plugin/sample_scene.hpp"
 #include "simulation/refusals.hpp"
 #include "simulation/setup_builder.hpp"
 
 namespace mesogen {
 
+namespace {
+
+/// ": [director]", the initial conditions that set a field; empty if there is none.
+std::string those_who_set(const std::string& field, const PluginRegistry& registry) {
+  std::string text;
+  for (const std::string& name : registry.names(PluginKind::initial)) {
+    InitialPlan plan;
+    const auto plugin = registry.make_initial(name);
+    call_plugin(name, "plan()", [&] { plugin->plan(plan); });
+    for (const FieldDeclaration& declared : plan.fields())
+      if (declared.name == field) text += (text.empty() ? ": [" : " or [") + name + "]";
+  }
+  return text;
+}
+
+}  // namespace
+
 void SetupBuilder::collect_fields() {
   for (std::size_t n = 0; n < setup_.physics.size(); ++n)
     attempt(source_.physics[n], [&] {
-      auto& member = setup_.physics[n];
-      call_plugin(member.type, "passes()", [&] { member.plugin->passes(member.passes); });
+      const auto& member = setup_.physics[n];
       for (const FieldDeclaration& field : member.passes.fields()) setup_.catalogue.add(field, member.instance);
     });
-  const auto initial = [&](const std::string& name, Rank rank, const std::string& unit, const std::string& owner) {
-    FieldDeclaration field;
-    field.name = name;
-    field.rank = rank;
-    field.unit_text = unit;
-    field.doc_text = "as the initial conditions set it";
-    setup_.catalogue.add_initial(field, owner);
-  };
-  if (source_.director.given) initial("order_tensor", Rank::order_tensor, "1", "director");
-  if (source_.velocity.given) initial("velocity", Rank::vector, "m/s", "velocity");
-  if (source_.colour.given) initial("colour", Rank::scalar, "1", "colour");
+  collect_initial_fields();
   if (additions_.fields) additions_.fields(setup_);
-  const auto* const order_tensor = setup_.catalogue.find("order_tensor");
-  if (order_tensor != nullptr && !order_tensor->initial)
-    problems_.add({source_.file, 0, 0}, "director",
-                  "this scene has an order tensor: say how it starts, such as [director] with type = \"perturbed\"");
+  if (initial_missing_) return;
+  for (const auto& [name, entry] : setup_.catalogue.all())
+    if (entry.declaration.needs_start && !entry.initial)
+      problems_.add({source_.file, 0, 0}, name,
+                    "this field of " + entry.owner + " needs an initial condition: add a section that sets it" +
+                        those_who_set(name, registry_));
+}
+
+void SetupBuilder::collect_initial_fields() {
+  for (std::size_t n = 0; n < setup_.initial.size(); ++n)
+    attempt(source_.initial[n], [&] {
+      auto& member = setup_.initial[n];
+      call_plugin(member.name, "plan()", [&] { member.plugin->plan(member.plan); });
+      for (const FieldDeclaration& field : member.plan.fields()) setup_.catalogue.add_initial(field, member.name);
+    });
+}
+
+// Unless the case names others: what the plugins show, those of the physics first.
+void SetupBuilder::choose_shown_fields() {
+  const auto show = [&](const auto& fields) {
+    for (const FieldDeclaration& field : fields)
+      if (field.is_shown && std::ranges::find(setup_.output_fields, field.name) == setup_.output_fields.end())
+        setup_.output_fields.push_back(field.name);
+  };
+  for (const auto& member : setup_.physics) show(member.passes.fields());
+  for (const auto& member : setup_.initial) show(member.plan.fields());
 }
 
 void SetupBuilder::choose_output() {
+  if (!source_.output.fields_given) choose_shown_fields();
   for (const std::string& field : source_.output.fields) {
     if (field == "position") continue;
     if (setup_.catalogue.exists(field)) {
       setup_.output_fields.push_back(field);
-    } else if (source_.output.fields_given) {
+    } else {
       std::string text = "there is no field '" + field + "' in this scene";
       if (const std::string near = nearest(field, setup_.catalogue.names()); !near.empty())
         text += "; did you mean '" + near + "'";
@@ -65,16 +96,32 @@ void SetupBuilder::plan_observers() {
     });
 }
 
-void SetupBuilder::put_together() {
-  // Fields depend on which plugins there are, the rest on sound parameters too.
-  const bool all_made =
-      setup_.physics.size() == source_.physics.size() && setup_.observers.size() == source_.observers.size();
-  const bool sound = problems_.empty();
-  if (!all_made || source_.tree == nullptr) return;
-  if (sound) describe_scene();
+// With wrong parameters plugins may not know what they would declare; if all of them do, the names of output fields
+// can be checked too, so that a user sees all mistakes at once.
+void SetupBuilder::check_fields_of_unsound_case() {
+  try {
+    for (auto& member : setup_.physics) member.passes = sample_declaration(*member.plugin, member.type, registry_);
+  } catch (const Error&) {
+    return;
+  }
   collect_fields();
   choose_output();
-  if (!sound) return;
+}
+
+void SetupBuilder::put_together() {
+  const bool all_made = setup_.physics.size() == source_.physics.size() &&
+                        setup_.observers.size() == source_.observers.size() &&
+                        setup_.initial.size() == source_.initial.size();
+  const bool sound = problems_.empty();
+  if (!all_made || source_.tree == nullptr) return;
+  if (!sound) return check_fields_of_unsound_case();
+  describe_scene();
+  if (!problems_.empty()) return check_fields_of_unsound_case();
+  declare_physics();
+  collect_fields();
+  choose_output();
+  if (!problems_.empty()) return;
+  limit_step();
   plan_observers();
   refuse_traces(setup_, problems_);
   if (!problems_.empty()) return;
@@ -97,7 +144,6 @@ std::unique_ptr<Setup> set_up(Case source, const PluginRegistry& registry, Probl
   builder.choose_backend();
   builder.make_plugins();
   builder.choose_kernel();
-  builder.place_defects();
   try {
     builder.put_together();
   } catch (const Error& error) {

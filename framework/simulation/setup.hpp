@@ -19,6 +19,11 @@ namespace mesogen {
 
 /// A checked case with its plugins made and its step ordered: all that is fixed before a run starts.
 struct MESOGEN_EXPORT Setup {
+  struct InitialMember {
+    std::string name;  ///< of the plugin and its section, "director"
+    PluginPointer<Initial> plugin;
+    InitialPlan plan;
+  };
   struct PhysicsMember {
     std::string instance;  ///< "physics.flow"
     PluginPointer<Physics> plugin;
@@ -42,6 +47,7 @@ struct MESOGEN_EXPORT Setup {
   std::string why_on_host;                    ///< where a device would have been taken, had it been possible
   PluginPointer<Kernel> kernel;
   std::unique_ptr<Boundary> boundary;
+  std::vector<InitialMember> initial;
   std::vector<PhysicsMember> physics;
   std::vector<ObserverMember> observers;
   Arrangement arrangement;
@@ -55,6 +61,9 @@ struct MESOGEN_EXPORT Setup {
   /// Whose code computes, and for which instruction set each was built: bits depend on these.
   std::string instruction_sets;
 };
+
+/// What an initial condition of a setup sets.
+InitialState initial_state(const Setup::InitialMember& member, const Setup& setup);
 
 /// Asks a plugin for its limits on the step. Throws Error(plugin_refused) if one is not above 0.
 void add_step_limits(const Setup::PhysicsMember& member, const Setup& setup, StepLimits& limits);

@@ -21,7 +21,6 @@ class SetupBuilder {
   void choose_backend();
   void make_plugins();
   void choose_kernel();
-  void place_defects();
   void put_together();
   [[nodiscard]] bool refused() const { return refused_; }
 
@@ -32,8 +31,14 @@ class SetupBuilder {
   template <class Action>
   void attempt(const PluginChoice& choice, Action&& action);
   void describe_scene();
-  void find_distortion();
+  void publish_physics();
+  void publish_initial_conditions();
+  void declare_physics();
+  void limit_step();
+  void collect_initial_fields();
   void collect_fields();
+  void check_fields_of_unsound_case();
+  void choose_shown_fields();
   void choose_output();
   void plan_observers();
 
@@ -44,6 +49,7 @@ class SetupBuilder {
   const SetupAdditions& additions_;
   ResolvedCase resolved_;
   bool refused_ = false;
+  bool initial_missing_ = false;  ///< a section is called after no plugin: what it was to set is not asked for as well
 };
 
 // What a plugin finds wrong by itself is one problem among the others.
@@ -51,6 +57,8 @@ template <class Action>
 void SetupBuilder::attempt(const PluginChoice& choice, Action&& action) {
   try {
     action();
+  } catch (const BadParameter& error) {
+    problems_.add(choice.section.place_of(error.key()), choice.section.full_key(error.key()), error.what());
   } catch (const Error& error) {
     refused_ = refused_ || error.code() == ExitCode::plugin_refused;
     problems_.add(choice.section.place(), choice.section.path(), error.what());

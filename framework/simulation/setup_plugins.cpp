@@ -1,8 +1,8 @@
 // Setting a case up, first part: its plugins and their parameters.
 
-#include <array>
+#include <algorithm>
 
-#include "initial/defects.hpp"
+#include "case/nearest.hpp"
 #include "plugin/plugin_call.hpp"
 #include "simulation/choose_backend.hpp"
 #include "simulation/setup_builder.hpp"
@@ -52,6 +52,18 @@ void SetupBuilder::make_plugins() {
   simple(source_.boundary, setup_.boundary);
   setup_.kernel = make(source_.kernel, [&](const std::string& type) { return registry_.make_kernel(type); });
   simple(source_.kernel, setup_.kernel);
+  for (const PluginChoice& choice : source_.initial) {
+    auto plugin = make(choice, [&](const std::string& type) {
+      const auto names = registry_.names(PluginKind::initial);
+      if (const std::string hint = did_you_mean(type, names);
+          !hint.empty() && std::ranges::find(names, type) == names.end())
+        throw Error(ExitCode::bad_case, "unknown section or key" + hint);
+      return registry_.make_initial(type);
+    });
+    initial_missing_ = initial_missing_ || !plugin;
+    simple(choice, plugin);
+    if (plugin) setup_.initial.push_back({choice.type, std::move(plugin), {}});
+  }
   for (const PluginChoice& choice : source_.physics) {
     const bool on_device = !setup_.backend->on_host() && registry_.has_cuda(choice.type);
     auto plugin = make(choice, [&](const std::string& type) {
@@ -92,13 +104,6 @@ void SetupBuilder::choose_kernel() {
   const bool walls = setup_.boundary && !setup_.boundary->periodic(shortest_axis(source_));
   if (const std::string problem = support_problem(source_, setup_.smoothing, walls); !problem.empty())
     problems_.add(source_.place("kernel.smoothing_length"), "kernel.smoothing_length", problem);
-}
-
-void SetupBuilder::place_defects() {
-  if (!setup_.boundary || source_.domain.size.size() != 2) return;
-  const std::array<bool, 3> periodic = {setup_.boundary->periodic(0), setup_.boundary->periodic(1), false};
-  if (const std::string problem = fold_defects(setup_.source, periodic); !problem.empty())
-    problems_.add(source_.place("director.defects"), "director.defects", problem);
 }
 
 }  // namespace mesogen

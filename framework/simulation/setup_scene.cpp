@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "initial/distortion.hpp"
-#include "initial/fields.hpp"
+#include "initial/extent.hpp"
 #include "plugin/plugin_call.hpp"
 #include "simulation/rounded_text.hpp"
 #include "simulation/setup_builder.hpp"
@@ -37,58 +36,69 @@ void SetupBuilder::describe_scene() {
   scene.diffusion_step =
       diffusion_margin * stable_rate(source_.time.scheme) /
       sph::largest_laplacian(setup_.smoothing, scene.spacing, scene.dimension, source_.laplacian == "consistent");
-  for (std::size_t n = 0; n < setup_.physics.size(); ++n)
-    attempt(source_.physics[n], [&] {
-      const auto& member = setup_.physics[n];
-      call_plugin(member.type, "constants()", [&] { member.plugin->constants(scene.constants); });
-    });
+  publish_physics();
   if (additions_.scene) additions_.scene(scene);
   attempt(source_.boundary, [&] { setup_.boundary->prepare(scene); });
-  find_distortion();
+  publish_initial_conditions();
+  attempt(source_.boundary, [&] { setup_.boundary->scales(scene.scales); });
+  publish_physics();
+}
+
+void SetupBuilder::publish_physics() {
   for (std::size_t n = 0; n < setup_.physics.size(); ++n)
     attempt(source_.physics[n], [&] {
       const auto& member = setup_.physics[n];
-      call_plugin(member.type, "scales()", [&] { member.plugin->scales(scene, scene.scales); });
+      call_plugin(member.type, "publish()", [&] { member.plugin->publish(setup_.scene); });
     });
-  attempt(source_.boundary, [&] { setup_.boundary->scales(scene.scales); });
-  if (source_.velocity.given) {
-    const auto velocity = initial_velocity(source_, setup_.arrangement);
-    for (std::size_t i = 0; i < velocity[0].size(); ++i)
-      scene.scales.speed = std::max(scene.scales.speed, std::hypot(velocity[0][i], velocity[1][i]));
-  }
-  const auto for_each_physics = [&](const auto& action) {
-    for (std::size_t n = 0; n < setup_.physics.size(); ++n)
-      attempt(source_.physics[n], [&] { action(setup_.physics[n]); });
-  };
-  for_each_physics([&](const Setup::PhysicsMember& member) {
-    call_plugin(member.type, "prepare()", [&] { member.plugin->prepare(scene); });
-  });
-  if (!problems_.empty()) return;
-  for_each_physics([&](const Setup::PhysicsMember& member) {
-    call_plugin(member.type, "constants()", [&] { member.plugin->constants(scene.constants); });
-  });
-  for_each_physics([&](const Setup::PhysicsMember& member) { add_step_limits(member, setup_, setup_.limits); });
+}
+
+void SetupBuilder::declare_physics() {
+  for (std::size_t n = 0; n < setup_.physics.size(); ++n)
+    attempt(source_.physics[n], [&] {
+      auto& member = setup_.physics[n];
+      call_plugin(member.type, "declare()", [&] { member.plugin->declare(setup_.scene, member.passes); });
+    });
+  for (const auto& member : setup_.physics)
+    for (const auto& [name, value] : member.passes.constants()) setup_.scene.constants[name] = value;
+}
+
+void SetupBuilder::limit_step() {
+  for (std::size_t n = 0; n < setup_.physics.size(); ++n)
+    attempt(source_.physics[n], [&] { add_step_limits(setup_.physics[n], setup_, setup_.limits); });
 }
 
 // Of a boundary that refused its parameters nothing more is asked.
-void SetupBuilder::find_distortion() {
-  if (!source_.director.given || !problems_.empty()) return;
-  attempt(source_.boundary, [&] {
-    setup_.scene.distortion =
-        distortion_of(initial_order_tensor(source_, setup_.arrangement), setup_.arrangement.position, setup_.scene,
-                      *setup_.boundary, setup_.smoothing);
-  });
+void SetupBuilder::publish_initial_conditions() {
+  Scene& scene = setup_.scene;
+  for (std::size_t n = 0; n < setup_.initial.size(); ++n)
+    attempt(source_.initial[n], [&] {
+      auto& member = setup_.initial[n];
+      call_plugin(member.name, "publish()", [&] { member.plugin->publish(scene); });
+      call_plugin(member.name, "plan()", [&] { member.plugin->plan(member.plan = {}); });
+      if (!problems_.empty()) return;
+      InitialState state = initial_state(member, setup_);
+      for (const FieldDeclaration& field : member.plan.fields())
+        scene.initial[field.name] = initial_extent(field, state, *setup_.boundary, setup_.smoothing);
+    });
+}
+
+InitialState initial_state(const Setup::InitialMember& member, const Setup& setup) {
+  InitialState::Positions position;
+  for (std::size_t d = 0; d < position.size(); ++d) position[d] = setup.arrangement.position[d];
+  InitialState state(setup.scene, member.plan, position);
+  call_plugin(member.name, "set()", [&] { member.plugin->set(state); });
+  return state;
 }
 
 void add_step_limits(const Setup::PhysicsMember& member, const Setup& setup, StepLimits& limits) {
-  call_plugin(member.type, "step_limits()", [&] {
-    member.plugin->step_limits(setup.scene, limits);
-    for (const auto& limit : limits.all())
-      if (!(limit.seconds > 0.0))
-        throw Error(ExitCode::plugin_refused, "the limit on the step \"" + limit.name + "\" is " +
-                                                  rounded_text(limit.seconds) + " " + setup.source.units.time +
-                                                  ": it must be above 0");
-  });
+  for (const PassList::Limit& limit : member.passes.step_limits()) {
+    const PluginCall call{.plugin = member.type, .call = "step limit", .subject = limit.rule};
+    const double seconds = call_plugin(call, ExitCode::plugin_refused, [&] { return limit.seconds(setup.scene); });
+    if (!(seconds > 0.0))
+      throw Error(ExitCode::plugin_refused, call_text(call) + ": is " + rounded_text(seconds) + " " +
+                                                setup.source.units.time + ", and must be above 0");
+    limits.add(limit.cause, limit.rule, seconds);
+  }
 }
 
 }  // namespace mesogen

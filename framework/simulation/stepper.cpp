@@ -5,7 +5,6 @@
 #include <numeric>
 #include <set>
 
-#include "initial/fields.hpp"
 #include "plugin/plugin_call.hpp"
 #include "simulation/planned_fields.hpp"
 #include "time/timing.hpp"
@@ -77,22 +76,18 @@ void Stepper::add_fields() {
 }
 
 void Stepper::set_initial_fields() {
-  const auto set = [&](const std::string& name, int component, const std::vector<double>& values) {
-    Field* const field = world_.fields.find(name);
-    if (field == nullptr) return;
-    for (Index i = 0; i < world_.particles.count(); ++i) field->set(component, i, values[static_cast<std::size_t>(i)]);
-    ++field->version;
-  };
-  const Case& source = setup_.source;
-  if (source.director.given) {
-    const auto q = initial_order_tensor(source, setup_.arrangement);
-    for (int c = 0; c < 2; ++c) set("order_tensor", c, q[c]);
+  for (const auto& member : setup_.initial) {
+    InitialState state = initial_state(member, setup_);
+    for (const FieldDeclaration& declared : member.plan.fields()) {
+      Field* const field = world_.fields.find(declared.name);
+      if (field == nullptr) continue;
+      for (int c = 0; c < field->components(); ++c) {
+        const auto values = state.component(declared.name, c);
+        for (Index i = 0; i < world_.particles.count(); ++i) field->set(c, i, values[static_cast<std::size_t>(i)]);
+      }
+      ++field->version;
+    }
   }
-  if (source.velocity.given) {
-    const auto velocity = initial_velocity(source, setup_.arrangement);
-    for (int c = 0; c < 2; ++c) set("velocity", c, velocity[c]);
-  }
-  if (source.colour.given) set("colour", 0, initial_colour(source, setup_.arrangement));
 }
 
 void Stepper::start() {

@@ -14,15 +14,14 @@ StepControl::StepControl(const Scene& scene, StepLimits limits, std::optional<do
       at_rest_(choose(0.0, 0.0).seconds) {}
 
 StepControl::Choice StepControl::choose(double fastest, double largest_acceleration) const {
-  if (fixed_) return {*fixed_, "time.step of the case"};
-  Choice choice{std::numeric_limits<double>::infinity(), "nothing"};
-  const auto bind = [&](const std::string& name, double seconds) {
-    if (seconds < choice.seconds) choice = {seconds, name};
-  };
-  for (const auto& limit : limits_.all()) bind(limit.name, limit.seconds);
+  if (fixed_) return {*fixed_, std::string(to_string(StepCause::given)), StepCause::given};
+  StepLimits all = limits_;
   if (largest_acceleration > 0.0)
-    bind("acceleration: 0.25 sqrt(h / |a|)", 0.25 * std::sqrt(smoothing_length_ / largest_acceleration));
-  if (fastest > 0.0) bind("speed: 0.2 dx / |u|", 0.2 * spacing_ / fastest);
+    all.add(StepCause::acceleration, "0.25 sqrt(h / |a|)", 0.25 * std::sqrt(smoothing_length_ / largest_acceleration));
+  if (fastest > 0.0) all.add(StepCause::speed, "0.2 dx / |u|", 0.2 * spacing_ / fastest);
+  Choice choice{std::numeric_limits<double>::infinity(), "nothing", StepCause::nothing};
+  for (const auto& limit : all.all())
+    if (limit.seconds < choice.seconds) choice = {limit.seconds, limit.text, limit.cause};
   choice.seconds *= factor_;
   return choice;
 }

@@ -6,6 +6,7 @@
 
 #include "mesogen/export.hpp"
 #include "mesogen/plugin/scene.hpp"
+#include "mesogen/plugin/step_limits.hpp"
 
 namespace mesogen {
 
@@ -17,7 +18,8 @@ class MESOGEN_EXPORT StepControl {
 
   struct Choice {
     double seconds;
-    std::string limit;  ///< what binds
+    std::string limit;  ///< what binds, in words
+    StepCause cause;
   };
   [[nodiscard]] Choice choose(double fastest, double largest_acceleration) const;
   /// What the plugins' limits alone allow at the start of the run, s; infinite if there are none.

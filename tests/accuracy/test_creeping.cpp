@@ -36,8 +36,8 @@ CaseText channel(int across, double amplitude, const std::string& flow = "", con
                fmt::format("type = \"wcsph\"\ndensity = 1000.0\nviscosity = {}\ninertia = false\n{}", viscosity, flow))
       .nematic(1.0, alignment, elastic_constant)
       .active(activity)
-      .section("director", fmt::format("type = \"modes\"\nangle = {:.17g}\nmodes = [[0, 1, {}, {:.17g}]]", pi / 2.0,
-                                       amplitude, -pi / 2.0));
+      .section("director",
+               fmt::format("type = \"modes\"\nangle = 90.0\nmodes = [[0, 1, {}, {:.17g}]]", amplitude, -pi / 2.0));
   return text;
 }
 

@@ -21,7 +21,7 @@ TEST(DensityFilter, IsShepards) {
   CaseText text(length, across);
   text.section("kernel", "type = \"wendland_c2\"\nsmoothing_length = 2.0")
       .modes("velocity", "[[1, 2, 0.05, 0.3], [2, -1, 0.07, 1.0]]")
-      .flow(0.01, "sound_speed = 10.0\nmotion = \"eulerian\"\ndensity_filter = 0.7");
+      .published_flow(0.01, "sound_speed = 10.0\nmotion = \"eulerian\"\ndensity_filter = 0.7");
   CaseRun run(text);
   run.run_steps(20);
   const auto x = run.path(0);

@@ -32,7 +32,7 @@ CaseText closed_box(double length, int across, double core, double viscosity, do
 // raises the energy by a fourth here.
 TEST(PassiveBox, EnergyFallsBesideWallsThatHoldAnotherDirector) {
   CaseText text = closed_box(1.0, 16, 2.5, 0.1, 1.0);
-  text.section("director", "type = \"uniform\"\nangle = 0.3")
+  text.section("director", "type = \"uniform\"\nangle = 17.1887")
       .read(
           "\"velocity\", \"density\", \"internal_energy\", \"order_tensor\", \"elastic_energy\", "
           "\"order_tensor_gradient\", "

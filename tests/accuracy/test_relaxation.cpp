@@ -70,7 +70,7 @@ TEST(Relaxation, NothingThatRestsIsComputedTwice) {
 TEST(Relaxation, OrderReachesItsEquilibriumAtTheExactRate) {
   for (const double begun : {0.999, 1.001}) {
     CaseText text = at_rest(16, 0.02);
-    text.section("director", fmt::format("type = \"uniform\"\nangle = 0.4\norder = {}", begun))
+    text.section("director", fmt::format("type = \"uniform\"\nangle = 22.9183\norder = {}", begun))
         .section("time", "end = 1e6\nstep = 0.005");
     CaseRun run(text);
     const auto order = [&] { return run.observe("nematic_statistics", "mean_order"); };

@@ -24,7 +24,7 @@ CaseRun run_with(const std::string& speed) {
   text.section("particles", "spacing = 0.0625\narrangement = \"jittered\"\njitter = 0.2\nseed = 5")
       .section("kernel", "type = \"wendland_c2\"\nsmoothing_length = 2.0")
       .modes("velocity", "[[1, 2, 0.05, 0.3], [2, -1, 0.07, 1.0]]")
-      .flow(0.01, "sound_speed = 10.0\nshift = 0.8\nshift_speed = \"" + speed + "\"")
+      .published_flow(0.01, "sound_speed = 10.0\nshift = 0.8\nshift_speed = \"" + speed + "\"")
       .read("\"velocity_gradient\"");
   return CaseRun(text);
 }

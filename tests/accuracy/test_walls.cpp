@@ -84,7 +84,7 @@ double error_of_relaxation(int across) {
   constexpr double elastic_constant = 0.01;
   constexpr double time = 10.0;
   CaseText text = channel(across, ", anchoring = \"planar\"");
-  text.nematic(1.0, 0.0, elastic_constant).section("director", "type = \"uniform\"\nangle = 0.02");
+  text.nematic(1.0, 0.0, elastic_constant).section("director", "type = \"uniform\"\nangle = 1.1459");
   CaseRun run(text);
   run.run_to(time);
   auto theta = run.field("order_tensor", 1);

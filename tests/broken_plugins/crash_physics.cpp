@@ -20,17 +20,15 @@ class Crashing final : public Physics {
     crash::in("parameters()");
     list.number("after", after_).unit("s").at_least(0.0).doc("crashes only from this time on");
   }
-  void scales(const Scene&, Scales&) const override { crash::in("scales()"); }
-  void constants(Constants&) const override { crash::in("constants()"); }
-  void prepare(const Scene&) override { crash::in("prepare()"); }
-  void step_limits(const Scene&, StepLimits&) const override { crash::in("step_limits()"); }
-  [[nodiscard]] double memory() const override {
-    crash::in("memory()");
-    return 0.0;
-  }
-  void suggest(const Scene&, const StepLimits&, std::vector<Suggestion>&) const override { crash::in("suggest()"); }
-  void passes(PassList& list) override {
-    crash::in("passes()");
+  void publish(Scene&) const override { crash::in("publish()"); }
+  void declare(const Scene&, PassList& list) override {
+    crash::in("declare()");
+    list.step_limit(StepCause::other, "crash", [](const Scene&) {
+      crash::in("step limit");
+      return 1.0;
+    });
+    list.advice([](const AdviceContext&, std::vector<Suggestion>&) { crash::in("advice"); });
+    list.numbers([](const Scene&, std::vector<SceneNumber>&) { crash::in("numbers"); });
     list.pass("work").reads({"velocity"}).accumulates({"acceleration"}).run([this](const PassContext& context) {
       if (context.time() < after_) return;
       crash::in("pass");

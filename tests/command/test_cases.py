@@ -101,8 +101,14 @@ class WrongCases(CommandTest):
         self.refused(CASE.replace('"quintic"', '"quintik"'), "kernel.type", 'did you mean "quintic"?')
 
     def test_feedback_without_a_filter(self):
-        self.refused(CASE.replace("viscosity = 0.5", "viscosity = 0.5\nfilter_feedback = true"), "case.toml:13",
-                     "filter_feedback needs a filter: set density_filter above 0, such as density_filter = 1.0")
+        published = CASE.replace('"wcsph"', '"wcsph_published"')
+        self.refused(published.replace("viscosity = 0.5", "viscosity = 0.5\ndensity_filter = 0.0\nfilter_feedback = true"),
+                     "case.toml:18", "filter_feedback: needs a filter: set density_filter above 0, such as "
+                     "density_filter = 1.0")
+
+    def test_keys_of_the_published_scheme_are_named_with_its_plugin(self):
+        self.refused(CASE.replace("viscosity = 0.5", "viscosity = 0.5\ndensity_filter = 1.0"), "case.toml:17",
+                     'density_filter: belongs to the published scheme: write type = "wcsph_published"')
 
     def test_support_beyond_half_the_box(self):
         self.refused(CASE.replace("1.3333", "40.0"), "smoothing_length", "case.toml:9")
@@ -131,7 +137,7 @@ class WrongCases(CommandTest):
         difference = final(self.path("face"), "order_tensor") - final(self.path("inside"), "order_tensor")
         self.assertLess(abs(difference).max(), 1e-9)
         self.refused(text.replace('"periodic_ghosts"', '{ type = "walls", axes = ["x", "y"] }'),
-                     "director.defects: row 1: must lie in the box, x from 0 to 1.6 m, where this axis ends at walls, but is "
+                     "director.defects: row 1: must lie in the box, x from 0 to 1.6, where this axis ends at walls, but is "
                      "at 1.6")
 
     def test_unknown_output_field(self):

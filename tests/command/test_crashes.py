@@ -122,8 +122,7 @@ class InARun(CrashTest):
 class BeforeARun(CrashTest):
     def test_every_call_that_puts_a_case_together(self):
         force = self.write_case(WITH_FORCE)
-        for call in ("constructor", "parameters()", "scales()", "constants()", "prepare()", "step_limits()", "passes()",
-                     "memory()", "suggest()", "destructor"):
+        for call in ("constructor", "parameters()", "publish()", "declare()", "advice", "numbers", "destructor"):
             with self.subTest(call):
                 self.assert_told(self.crashes(call, "check", force, "--quick"), f'plugin "crashing", {re.escape(call)}')
         watch = self.write_case(WITH_OBSERVER)

@@ -23,7 +23,7 @@ SEEN = {
     "one_dimension": "domain.size", "out_of_range": "physics.flow.viscosity", "section_expected": "time",
     "short_mode": "director.modes.0", "table_expected": "physics.nematic.bulk", "three_dimensions": "domain.size",
     "unknown_key": "physics.flow", "unknown_key_in_table": "physics.nematic.bulk", "unknown_top_level_key": "",
-    "velocity_and_colour": "velocity.value", "word_of_choice": "director.type", "wrong_type": "domain.size",
+    "word_of_choice": "director.type", "wrong_type": "domain.size",
     "zero_spacing": "particles.spacing", "zero_step": "time.step",
 }
 STANDS_FOR = {"flow": "wcsph", "activity": "active_stress", "nematic": "beris_edwards", "statistics": "flow_statistics"}
@@ -167,9 +167,9 @@ class Reference(CommandTest):
 
     def test_page_tells_of_keys_and_plugins(self):
         out, _ = self.mesogen("reference", "--plugin-path", os.path.join(BROKEN_PLUGINS, "twin_a"))
-        for line in ("### `[director]`",
-                     '| `amplitude` | number | rad | >= 0 | required | largest random deviation; only with `type = '
-                     '"perturbed"` |',
+        for line in ("### director 1.0.0",
+                     '| `amplitude` | number | rad | >= 0 | required | largest random deviation of the angle; only with '
+                     '`type = "perturbed"` |',
                      "| `interval` | number | s | > 0 | | simulated time between stored frames; by default the whole run. "
                      "Steps end exactly on these times: they are shortened for that, so another interval changes the "
                      "steps, and rounding with them |",

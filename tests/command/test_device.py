@@ -126,8 +126,8 @@ class WithoutCuda(CommandTest):
     @unittest.skipIf(BUILT, "Mesogen was built with CUDA")
     def test_not_built(self):
         _, err = self.mesogen("run", self.write_case(), *CUDA, code=2)
-        self.assertIn('run.device: this Mesogen was built without CUDA: build it where nvcc (12 or later) is found; take '
-                      '"cpu", or "auto" for CUDA where that can be', err)
+        self.assertIn('run.device: this Mesogen was built without CUDA: build it by `MESOGEN_CUDA=on scripts/setup`, '
+                      'which needs nvcc (12 or later); take "cpu", or "auto" for CUDA where that can be', err)
 
     def test_another_word(self):
         _, err = self.mesogen("run", self.write_case(), "--set", "run.device=gpu", code=2)

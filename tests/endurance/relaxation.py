@@ -19,7 +19,7 @@ MOST = 1e-4  # of the dissipated energy
 SCENES = [("wcsph", "periodic"), ("incompressible", "periodic"), ("wcsph", "closed"), ("wcsph", "channel")]
 FREE, ALONG, ACROSS = 'anchoring = "none"', 'anchoring = "angle"', 'anchoring = "homeotropic"'
 PLANAR = 'anchoring = "planar"'
-ANGLES = {ACROSS: numpy.pi / 2, PLANAR: 0.6}
+ANGLES = {ACROSS: 90.0, PLANAR: numpy.degrees(0.6)}
 AXES = {"closed": '"x", "y"', "channel": '"y"'}
 ANCHORED = {"closed": [ALONG, FREE, PLANAR], "channel": [FREE, PLANAR, ACROSS], "periodic": [""]}
 CASE = """\

@@ -43,6 +43,15 @@ CaseText& CaseText::flow(double viscosity, const std::string& more) {
                  fmt::format("type = \"wcsph\"\ndensity = 1.0\nviscosity = {:.17g}\n{}", viscosity, more));
 }
 
+CaseText& CaseText::published_flow(double viscosity, const std::string& more) {
+  std::string keys = fmt::format("type = \"wcsph_published\"\ndensity = 1.0\nviscosity = {:.17g}\n", viscosity);
+  for (const auto& [key, value] :
+       {std::pair("viscosity_form", "\"component\""), std::pair("density_filter", "0.0"),
+        std::pair("shift_speed", "\"strain\""), std::pair("shift", "0.3"), std::pair("density_diffusion", "0.1")})
+    if (more.find(std::string(key) + " =") == std::string::npos) keys += fmt::format("{} = {}\n", key, value);
+  return section("physics.flow", keys + more);
+}
+
 CaseText& CaseText::nematic(double rotational_diffusivity, double flow_alignment, double elastic_constant) {
   return section("physics.nematic",
                  fmt::format("type = \"beris_edwards\"\nrotational_diffusivity = {:.17g}\nflow_alignment = {:.17g}\n"

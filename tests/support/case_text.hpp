@@ -20,6 +20,8 @@ class CaseText {
   CaseText& precision(const std::string& word);
   /// rho = 1 kg/m3; viscosity in Pa s.
   CaseText& flow(double viscosity, const std::string& more = "");
+  /// The same by wcsph_published, which differs from wcsph in the keys that are given and in no other.
+  CaseText& published_flow(double viscosity, const std::string& more);
   /// A = -1, C = 1/2 Pa.
   CaseText& nematic(double rotational_diffusivity, double flow_alignment, double elastic_constant);
   CaseText& active(double activity);

@@ -62,26 +62,25 @@ class FakePassContext final : public PassContext {
 /// A physics plugin of the built library with parameters as a case would set them, in double precision.
 class PhysicsUnderTest {
  public:
-  PhysicsUnderTest(const std::string& name, const std::map<std::string, double>& numbers, const Scene& scene = {})
-      : plugin_(built_plugins().make_physics(name, Precision::double_precision, 2)) {
+  PhysicsUnderTest(const std::string& name, const std::map<std::string, double>& numbers, Scene scene = {})
+      : plugin_(built_plugins().make_physics(name, Precision::double_precision, 2)), scene_(std::move(scene)) {
     plugin_->parameters(parameters_);
     for (const auto& [key, value] : numbers) set(key, value);
-    plugin_->prepare(scene);
-    plugin_->passes(passes_);
+    plugin_->publish(scene_);
+    plugin_->declare(scene_, passes_);
   }
 
-  Physics* operator->() { return plugin_.get(); }
-  [[nodiscard]] const Physics& plugin() const { return *plugin_; }
+  /// With what the plugin published.
+  [[nodiscard]] const Scene& scene() const { return scene_; }
   void run(const std::string& pass, const PassContext& context) const {
     for (const Pass& candidate : passes_.passes())
       if (candidate.name == pass) return candidate.body(context);
     throw std::invalid_argument("no pass " + pass);
   }
   [[nodiscard]] std::map<std::string, double> limits(const Scene& scene) const {
-    StepLimits limits;
-    plugin_->step_limits(scene, limits);
     std::map<std::string, double> all;
-    for (const auto& limit : limits.all()) all[limit.name] = limit.seconds;
+    for (const PassList::Limit& limit : passes_.step_limits())
+      all[std::string(to_string(limit.cause)) + ": " + limit.rule] = limit.seconds(scene);
     return all;
   }
 
@@ -102,6 +101,7 @@ class PhysicsUnderTest {
   }
 
   PluginPointer<Physics> plugin_;
+  Scene scene_;
   ParameterList parameters_;
   PassList passes_;
 };

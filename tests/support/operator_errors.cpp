@@ -42,7 +42,7 @@ Points points_after_turbulence(int across, int steps) {
   constexpr double length = 10.0;
   CaseText text(length, across);
   text.precision("single")
-      .section("director", "type = \"perturbed\"\nangle = 0.4\namplitude = 0.3\nseed = 1")
+      .section("director", "type = \"perturbed\"\nangle = 22.9183\namplitude = 0.3\nseed = 1")
       .flow(0.2, "expected_speed = 0.4")
       .nematic(0.4, 0.7, 0.02)
       .active(0.08);

@@ -19,17 +19,15 @@ class Unfit final : public Physics {
         .doc("what is wrong");
   }
 
-  void passes(PassList& list) override {
+  void declare(const Scene&, PassList& list) override {
     auto& field = list.field("unfit", Rank::scalar).unit("m");
     if (fault_ != "no_doc") field.doc("made by the unfit plugin");
     auto& pass = list.pass("work").reads({"density"}).reads_if_present({"colour"});
     if (fault_ != "idle") pass.writes({"unfit"});
     if (fault_ == "twins") list.pass("work").accumulates({"acceleration"}).run([](const PassContext&) {});
     if (fault_ != "no_body") pass.run([this](const PassContext& context) { work(context); });
-  }
-
-  void step_limits(const Scene&, StepLimits& limits) const override {
-    limits.add(fault_ == "nameless" ? "" : "nothing", fault_ == "limit" ? -1.0 : 1.0);
+    list.step_limit(StepCause::other, fault_ == "nameless" ? "" : "nothing",
+                    [this](const Scene&) { return fault_ == "limit" ? -1.0 : 1.0; });
   }
 
  private:

@@ -26,17 +26,18 @@ class TemplateNamePlugin final : public Physics {
   }
 
   // All fields that the pass touches. More of them: `mesogen plugin info wcsph`, and X_gradient, X_laplacian of each X.
-  void passes(PassList& list) override {
+  void declare(const Scene&, PassList& list) override {
     list.pass("template_name").reads({"density"}).accumulates({"acceleration"}).run([this](const PassContext& context) {
       exec::for_each(context.space(), context.count(),
                      AddForce<Real>{context.read<Real>("density"), context.write<Real>("acceleration"), Real(force_)});
     });
   }
 
-  // A force that grows with velocity or gradients also overrides step_limits(): see plugins/physics/friction.
+  // A force that grows with velocity or gradients limits the step: list.step_limit(), see plugins/physics/friction.
+  // What other plugins should know goes into publish().
   //
   // Fields that are advanced in time are saved in checkpoints. Numbers of its own that a pass changes, and needs again
-  // at the next step, are saved if passes() names them; otherwise a resumed run begins without them:
+  // at the next step, are saved if declare() names them; otherwise a resumed run begins without them:
   //
   //     std::vector<double> memory_ = {0.0};
   //     list.keep("memory", 1, [this] { return std::span(memory_); });    // and .advances_what_is_kept() of that pass

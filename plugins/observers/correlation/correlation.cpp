@@ -2,7 +2,7 @@
 /// comes down to a level and to 0 (for active nematics: Thampi, Golestanian and Yeomans, Phys. Rev. Lett. 111, 118101
 /// (2013)).
 ///
-/// With modes u_k that are fitted to the velocities of the particles (analysis/observed_modes.hpp), those of the
+/// With modes u_k that are fitted to the velocities of the particles (mesh/observed_modes.hpp), those of the
 /// vorticity are i k x u_k. Means over the box are left out, so a flow and the same flow carried along are one.
 #include <cmath>
 #include <functional>
@@ -11,7 +11,7 @@
 #include <string>
 
 #include "autocorrelation.hpp"
-#include "mesogen/analysis/observed_modes.hpp"
+#include "mesogen/mesh/observed_modes.hpp"
 #include "mesogen/plugin/by_id.hpp"
 #include "mesogen/plugin/observer.hpp"
 #include "mesogen/plugin/plugin.hpp"
@@ -79,7 +79,7 @@ class Flow {
     for (auto* const power : {&powers.velocity, &powers.vorticity}) std::fill(power->begin(), power->end(), 0.0);
   }
 
-  analysis::ObservedModes<Dim> observed_;
+  mesh::ObservedModes<Dim> observed_;
 };
 
 class Correlation final : public Observer {
@@ -101,8 +101,8 @@ class Correlation final : public Observer {
   }
 
   void plan(const Scene& scene, ObserverPlan& plan) override {
-    analysis::needs_periodic_box(scene,
-                                 "correlations are those of periodic fields, and this box has walls: leave them out");
+    mesh::needs_periodic_box(scene,
+                             "correlations are those of periodic fields, and this box has walls: leave them out");
     plan_table(scene);
     plan.reads("velocity");
     plan.scalar("velocity_beyond")

@@ -15,8 +15,8 @@
 #include <optional>
 
 #include "local_fit.hpp"
-#include "mesogen/analysis/defect_search.hpp"
 #include "mesogen/diagnostics/error.hpp"
+#include "mesogen/nematics/defect_search.hpp"
 #include "mesogen/plugin/by_id.hpp"
 #include "mesogen/plugin/observer.hpp"
 #include "mesogen/plugin/plugin.hpp"
@@ -100,9 +100,9 @@ class Patch {
 };
 
 /// Those that are at least `distance`, m, away from every other, whatever its charge.
-std::vector<analysis::Defect> isolated(const std::vector<analysis::Defect>& defects, const Scene& scene,
+std::vector<nematics::Defect> isolated(const std::vector<nematics::Defect>& defects, const Scene& scene,
                                        double distance) {
-  std::vector<analysis::Defect> kept;
+  std::vector<nematics::Defect> kept;
   for (std::size_t i = 0; i < defects.size(); ++i) {
     bool alone = true;
     for (std::size_t j = 0; j < defects.size(); ++j) {
@@ -139,7 +139,7 @@ class DefectFlow final : public Observer {
 
   void plan(const Scene& scene, ObserverPlan& plan) override {
     const auto fail = [](const std::string& text) { throw Error(ExitCode::bad_case, "defect_flow: " + text); };
-    analysis::DefectSearch::needs_plane(scene, "defect_flow");
+    nematics::DefectSearch::needs_plane(scene, "defect_flow");
     if (points_ % 2 == 0)
       fail("`points` must be odd, so that the defect is at one of them, but is " + std::to_string(points_));
     const double shortest = std::min(scene.box[0], scene.box[1]);
@@ -228,7 +228,7 @@ class DefectFlow final : public Observer {
   std::optional<double> radius_;
   std::int64_t points_ = 41;
   double isolation_ = 0.0;
-  analysis::DefectSearch search_;
+  nematics::DefectSearch search_;
 
   double count_plus_ = 0.0;  // so far
   double count_minus_ = 0.0;

@@ -14,14 +14,14 @@
 #include <optional>
 
 #include "assignment.hpp"
-#include "mesogen/analysis/defect_search.hpp"
+#include "mesogen/nematics/defect_search.hpp"
 #include "mesogen/plugin/observer.hpp"
 #include "mesogen/plugin/plugin.hpp"
 
 namespace mesogen {
 namespace {
 
-using analysis::Defect;
+using nematics::Defect;
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
@@ -79,7 +79,7 @@ class DefectTracks final : public Observer {
   }
 
   void plan(const Scene& scene, ObserverPlan& plan) override {
-    analysis::DefectSearch::needs_plane(scene, "defect_tracks");
+    nematics::DefectSearch::needs_plane(scene, "defect_tracks");
     plan.reads("order_tensor");
     auto& table = plan.table("tracks", 8);
     table.unit("1, m, m, 1, rad, m/s, m/s, s")
@@ -238,7 +238,7 @@ class DefectTracks final : public Observer {
   }
 
   std::optional<double> max_displacement_;
-  analysis::DefectSearch search_;
+  nematics::DefectSearch search_;
 
   std::vector<Track> tracks_;  // at the last sample, by id
   double last_time_ = none;    // of the last sample, s; NaN: there was none

@@ -1,6 +1,6 @@
 /// Where the director is singular: defects of charge +1/2 and -1/2, from the winding of the director on a grid.
-/// The method is in mesogen/analysis/director_grid.hpp.
-#include "mesogen/analysis/defect_search.hpp"
+/// The method is in mesogen/nematics/director_grid.hpp.
+#include "mesogen/nematics/defect_search.hpp"
 #include "mesogen/plugin/observer.hpp"
 #include "mesogen/plugin/plugin.hpp"
 
@@ -12,7 +12,7 @@ class Defects final : public Observer {
   void parameters(ParameterList& list) override { search_.parameters(list); }
 
   void plan(const Scene& scene, ObserverPlan& plan) override {
-    analysis::DefectSearch::needs_plane(scene, "defects");
+    nematics::DefectSearch::needs_plane(scene, "defects");
     plan.reads("order_tensor");
     plan.scalar("count_plus").doc("number of defects of charge +1/2");
     plan.scalar("count_minus").doc("number of defects of charge -1/2");
@@ -39,12 +39,12 @@ class Defects final : public Observer {
     sample.set("count_plus", plus);
     sample.set("count_minus", minus);
     sample.set("total_charge", 0.5 * (plus - minus));
-    sample.set("pair_distance", analysis::pair_distance(defects, scene));
+    sample.set("pair_distance", nematics::pair_distance(defects, scene));
     sample.set("defects", std::move(rows));
   }
 
  private:
-  analysis::DefectSearch search_;
+  nematics::DefectSearch search_;
 };
 
 }  // namespace

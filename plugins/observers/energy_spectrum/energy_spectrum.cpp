@@ -5,7 +5,7 @@
 ///     E(k_n) dk = sum over modes of the n-th shell of |u_k|^2 / 2,   |k| within dk / 2 of k_n = n dk,
 ///
 /// so that its integral is half the mean square velocity. dk = 2 pi / L, of the longest edge. Modes are fitted to the
-/// velocities of the particles (analysis/observed_modes.hpp).
+/// velocities of the particles (mesh/observed_modes.hpp).
 ///
 /// What the modes do not hold, of waves beyond the last shell, is recorded as a share of the whole: `energy_beyond`.
 ///
@@ -16,8 +16,8 @@
 #include <memory>
 #include <numbers>
 
-#include "mesogen/analysis/observed_modes.hpp"
 #include "mesogen/diagnostics/error.hpp"
+#include "mesogen/mesh/observed_modes.hpp"
 #include "mesogen/plugin/by_id.hpp"
 #include "mesogen/plugin/observer.hpp"
 #include "mesogen/plugin/plugin.hpp"
@@ -144,7 +144,7 @@ class Spectrum {
     return shells;
   }
 
-  analysis::ObservedModes<Dim> observed_;
+  mesh::ObservedModes<Dim> observed_;
   double width_ = 0.0;  // of a shell, 1/m
 };
 
@@ -164,7 +164,7 @@ class EnergySpectrum final : public Observer {
   }
 
   void plan(const Scene& scene, ObserverPlan& plan) override {
-    analysis::needs_periodic_box(scene, "a spectrum is one of periodic fields, and this box has walls: leave it out");
+    mesh::needs_periodic_box(scene, "a spectrum is one of periodic fields, and this box has walls: leave it out");
     for (const auto& range : ranges_)
       if (!(range[0] < range[1]))
         throw Error(ExitCode::bad_case, "slopes: a range must go from a wave number to a larger one");

@@ -4,9 +4,12 @@
 //
 // (The momentum sum printed by Saghatchi, Kolukisa and Yildiz lacks the -zeta / rho in front.)
 
+#include <algorithm>
 #include <cmath>
 
 #include "mesogen/diagnostics/error.hpp"
+#include "mesogen/nematics/advice.hpp"
+#include "mesogen/nematics/numbers.hpp"
 #include "mesogen/plugin/physics.hpp"
 #include "mesogen/plugin/plugin.hpp"
 #include "mesogen/sph/pair_sum.hpp"
@@ -72,49 +75,42 @@ class ActiveStress final : public Physics {
         .doc("divergence exact for linear Q, or with opposite forces on two particles: no momentum drift");
   }
 
-  void scales(const Scene&, Scales& scales) const override {
-    scales.stress = std::max(scales.stress, std::abs(activity_));
-  }
-  void constants(Constants& constants) const override { constants["activity"] = activity_; }
-
-  void prepare(const Scene& scene) override {
-    const auto density = scene.constants.find("density");
-    if (form_ == "conservative" && density == scene.constants.end())
-      throw Error(ExitCode::bad_case,
-                  "form = \"conservative\" needs the density of a flow, such as physics.flow with type = \"wcsph\"");
+  void publish(Scene& scene) const override {
+    scene.constants["activity"] = activity_;
+    scene.scales.stress = std::max(scene.scales.stress, std::abs(activity_));
+    scene.scales.driven_speed = std::max(scene.scales.driven_speed, nematics::active_speed(scene));
   }
 
-  void passes(PassList& list) override {
-    if (form_ == "conservative") return in_pairs(list);
-    list.pass("active stress")
-        .reads({"order_tensor_gradient", "density"})
-        .accumulates({"acceleration"})
-        .idle_if(activity_ == 0.0)
-        .run([this](const PassContext& context) {
-          exec::for_each(
-              context.space(), context.count(),
-              ActiveAcceleration<Real, Dim>{context.read<Real>("order_tensor_gradient"), context.read<Real>("density"),
-                                            context.write<Real>("acceleration"), Real(activity_)});
-        });
+  void declare(const Scene& scene, PassList& list) override {
+    list.numbers(nematics::add_active_numbers);
+    list.advice(nematics::advise_on_activity);
+    Pass& pass = list.pass("active stress").accumulates({"acceleration"}).idle_if(activity_ == 0.0);
+    form_ == "conservative" ? in_pairs(scene, pass) : by_gradient(pass);
   }
 
  private:
-  void in_pairs(PassList& list) {
-    list.pass("active stress")
-        .reads_neighbours({"order_tensor", "volume"})
-        .accumulates({"acceleration"})
-        .idle_if(activity_ == 0.0)
-        .run([this](const PassContext& context) {
-          ActivePairs<Real, Dim> sums{};
-          sums.order_tensor = context.read<Real>("order_tensor");
-          sums.volume = context.read<Real>("volume");
-          sums.acceleration = context.write<Real>("acceleration");
-          // Of the run: a flow may choose its density in prepare().
-          const Scene& scene = context.scene();
-          sums.activity_per_mass = Real(
-              activity_ / (scene.constants.at("density") * std::pow(scene.spacing, Dim)));  // over a particle's mass
-          sph::pair_sum(context.space(), context.neighbours<Real, Dim>(), context.kernel(), sums);
-        });
+  void by_gradient(Pass& pass) {
+    pass.reads({"order_tensor_gradient", "density"}).run([this](const PassContext& context) {
+      exec::for_each(
+          context.space(), context.count(),
+          ActiveAcceleration<Real, Dim>{context.read<Real>("order_tensor_gradient"), context.read<Real>("density"),
+                                        context.write<Real>("acceleration"), Real(activity_)});
+    });
+  }
+
+  void in_pairs(const Scene& scene, Pass& pass) {
+    if (!scene.constants.contains("density"))
+      throw BadParameter(
+          "form", "\"conservative\" needs the density of a flow: add a [physics.*] section with type = \"wcsph\"");
+    pass.reads_neighbours({"order_tensor", "volume"}).run([this](const PassContext& context) {
+      ActivePairs<Real, Dim> sums{};
+      sums.order_tensor = context.read<Real>("order_tensor");
+      sums.volume = context.read<Real>("volume");
+      sums.acceleration = context.write<Real>("acceleration");
+      const Scene& run = context.scene();
+      sums.activity_per_mass = Real(activity_ / (run.constant("density") * std::pow(run.spacing, Dim)));
+      sph::pair_sum(context.space(), context.neighbours<Real, Dim>(), context.kernel(), sums);
+    });
   }
 
   double activity_ = 0.0;

@@ -21,18 +21,16 @@ TEST(ActiveStress, AddsTheDivergenceOfItsStress) {
   }
 }
 
-TEST(ActiveStress, SaysHowLargeItsStressIs) {
+TEST(ActiveStress, PublishesItsStressScale) {
   PluginHarness active(PluginKind::physics, "active_stress", "activity = -0.3");
-  Scales scales;
-  scales.stress = 0.1;
-  active.physics().scales({}, scales);
-  EXPECT_EQ(scales.stress, 0.3);
-  scales.stress = 1.0;
-  active.physics().scales({}, scales);
-  EXPECT_EQ(scales.stress, 1.0) << "another's is larger";
-  Constants constants;
-  active.physics().constants(constants);
-  EXPECT_EQ(constants.at("activity"), -0.3);
+  Scene scene;
+  scene.scales.stress = 0.1;
+  active.physics().publish(scene);
+  EXPECT_EQ(scene.scales.stress, 0.3);
+  EXPECT_EQ(scene.constant("activity"), -0.3);
+  scene.scales.stress = 1.0;
+  active.physics().publish(scene);
+  EXPECT_EQ(scene.scales.stress, 1.0) << "another's is larger";
 }
 
 TEST(ActiveStress, OfZeroAddsNothing) {

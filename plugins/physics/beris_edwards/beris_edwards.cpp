@@ -14,9 +14,11 @@
 
 #include <cmath>
 
+#include "mesogen/nematics/advice.hpp"
+#include "mesogen/nematics/numbers.hpp"
+#include "mesogen/nematics/order_tensor.hpp"
 #include "mesogen/plugin/physics.hpp"
 #include "mesogen/plugin/plugin.hpp"
-#include "mesogen/sph/order_tensor.hpp"
 #include "mesogen/sph/pair_sum.hpp"
 
 namespace {
@@ -39,8 +41,8 @@ struct MolecularField {
   Real a, c, k;
 
   MESOGEN_HOST_DEVICE void operator()(Index i) const {
-    const Real trace = sph::trace_of_square(q(0, i), q(1, i));
-    for (int n = 0; n < 2; ++n) field(n, i) = sph::molecular_field(a, c, k, q(n, i), trace, laplacian(n, i));
+    const Real trace = nematics::trace_of_square(q(0, i), q(1, i));
+    for (int n = 0; n < 2; ++n) field(n, i) = nematics::molecular_field(a, c, k, q(n, i), trace, laplacian(n, i));
   }
 };
 
@@ -90,9 +92,9 @@ struct Rate {
   MESOGEN_HOST_DEVICE void operator()(Index i) const {
     const Real q11 = q(0, i);
     const Real q12 = q(1, i);
-    const Real trace = sph::trace_of_square(q11, q12);
-    Real rate11 = gamma * sph::molecular_field(a, c, k, q11, trace, laplacian(0, i));
-    Real rate12 = gamma * sph::molecular_field(a, c, k, q12, trace, laplacian(1, i));
+    const Real trace = nematics::trace_of_square(q11, q12);
+    Real rate11 = gamma * nematics::molecular_field(a, c, k, q11, trace, laplacian(0, i));
+    Real rate12 = gamma * nematics::molecular_field(a, c, k, q12, trace, laplacian(1, i));
     if (velocity_gradient) {
       const Real ux = velocity_gradient(0, i);
       const Real uy = velocity_gradient(1, i);
@@ -139,18 +141,26 @@ class BerisEdwards final : public Physics {
         .doc("fourth-order bulk coefficient; the equilibrium order is sqrt(-A / 2C)");
   }
 
-  void constants(Constants& constants) const override {
-    constants["rotational_diffusivity"] = nematic_.gamma;
-    constants["flow_alignment"] = nematic_.lambda;
-    constants["elastic_constant"] = nematic_.k;
-    constants["bulk_A"] = nematic_.a;
-    constants["bulk_C"] = nematic_.c;
+  void publish(Scene& scene) const override {
+    scene.constants["rotational_diffusivity"] = nematic_.gamma;
+    scene.constants["flow_alignment"] = nematic_.lambda;
+    scene.constants["elastic_constant"] = nematic_.k;
+    scene.constants["bulk_A"] = nematic_.a;
+    scene.constants["bulk_C"] = nematic_.c;
   }
 
-  void passes(PassList& list) override {
+  void declare(const Scene&, PassList& list) override {
+    limit_step(list);
+    list.numbers(nematics::add_core_numbers);
+    list.advice([](const AdviceContext& context, std::vector<Suggestion>& suggestions) {
+      nematics::advise_on_cores(context, suggestions);
+      nematics::advise_on_order(context, suggestions);
+    });
     list.field("order_tensor", Rank::order_tensor)
         .doc("Q = q (2 n n - I), stored as (Q11, Q12) = q (cos 2 theta, sin 2 theta)")
-        .predicted_by("order_tensor_rate");
+        .predicted_by("order_tensor_rate")
+        .shown()
+        .set_at_start();
     list.field("order_tensor_rate", Rank::order_tensor).unit("1/s").doc("DQ/Dt");
     list.field("molecular_field", Rank::order_tensor).unit("Pa").doc("H = -A Q - C Q Tr(Q^2) + K lap Q");
     list.pass("molecular field")
@@ -191,17 +201,20 @@ class BerisEdwards final : public Physics {
         });
   }
 
-  void step_limits(const Scene& scene, StepLimits& limits) const override {
+ private:
+  void limit_step(PassList& list) const {
     if (nematic_.k > 0.0)
-      limits.add("elasticity: stable diffusion by Gamma K",
-                 scene.diffusion_step_of("order_tensor") / (nematic_.gamma * nematic_.k));
+      list.step_limit(StepCause::elasticity, "stable diffusion by Gamma K", [this](const Scene& scene) {
+        return scene.diffusion_step_of("order_tensor") / (nematic_.gamma * nematic_.k);
+      });
     // The midpoint rule is stable up to 2 over the rate, and off by a sixth of the square of their product: at most 3 %
     // where |Q| = 1, 0.7 % of the return to equilibrium with A = -2 C.
     const double stiffness = std::abs(nematic_.a) + 6.0 * nematic_.c;
-    if (stiffness > 0.0) limits.add("bulk relaxation: 0.4 / (Gamma (|A| + 6 C))", 0.4 / (nematic_.gamma * stiffness));
+    if (stiffness > 0.0)
+      list.step_limit(StepCause::bulk_relaxation, "0.4 / (Gamma (|A| + 6 C))",
+                      [this, stiffness](const Scene&) { return 0.4 / (nematic_.gamma * stiffness); });
   }
 
- private:
   Nematic nematic_;
 };
 

@@ -30,12 +30,13 @@ class BodyForce final : public Physics {
   }
 
   // Against a wall it is pressure.
-  void scales(const Scene& scene, Scales& scales) const override {
+  void publish(Scene& scene) const override {
+    double& stress = scene.scales.stress;
     for (std::size_t d = 0; d < force_.size(); ++d)
-      if (!scene.periodic.at(d)) scales.stress = std::max(scales.stress, std::abs(force_[d]) * scene.box.at(d));
+      if (!scene.periodic.at(d)) stress = std::max(stress, std::abs(force_[d]) * scene.box.at(d));
   }
 
-  void passes(PassList& list) override {
+  void declare(const Scene&, PassList& list) override {
     list.pass("body force")
         .reads({"density"})
         .accumulates({"acceleration"})

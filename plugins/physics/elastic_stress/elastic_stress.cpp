@@ -73,49 +73,36 @@ class ElasticStress final : public Physics {
  public:
   void parameters(ParameterList&) override {}
 
-  /// For what is known of the nematic's stability: whether its elasticity acts on the flow.
-  void constants(Constants& constants) const override { constants["elastic_stress"] = 1.0; }
-
   // |Pi| and what (grad Q) : H adds up to over the length in which Q changes are at most (2 + |lambda|) |H|, about,
   // where |H| is that of the start (K lap Q and the bulk), or of defects that vanish: the most that the bulk has below
   // its equilibrium order.
-  void scales(const Scene& scene, Scales& scales) const override {
-    const auto number = [&](const char* name) {
-      const auto at = scene.constants.find(name);
-      return at == scene.constants.end() ? 0.0 : at->second;
-    };
-    const double a = number("bulk_A");
-    const double c = number("bulk_C");
+  void publish(Scene& scene) const override {
+    scene.constants["elastic_stress"] = 1.0;  // the nematic's elasticity acts on the flow
+    const double a = scene.constant("bulk_A");
+    const double c = scene.constant("bulk_C");
     const auto bulk = [&](double order) { return std::abs(a + 2.0 * c * order * order) * order; };
     const double equilibrium = a < 0.0 && c > 0.0 ? std::sqrt(-a / (2.0 * c)) : 0.0;
-    const double field =
-        std::max(number("elastic_constant") * scene.distortion.laplacian + bulk(scene.distortion.highest_order),
-                 bulk(equilibrium / std::sqrt(3.0)));
-    scales.passing_stress = std::max(scales.passing_stress, (2.0 + std::abs(number("flow_alignment"))) * field);
+    const InitialExtent start = scene.initial_extent("order_tensor");
+    const double field = std::max(scene.constant("elastic_constant") * start.laplacian + bulk(start.largest),
+                                  bulk(equilibrium / std::sqrt(3.0)));
+    double& stress = scene.scales.passing_stress;
+    stress = std::max(stress, (2.0 + std::abs(scene.constant("flow_alignment"))) * field);
   }
 
-  void prepare(const Scene& scene) override {
-    const auto constant = [&](const char* name) {
-      const auto at = scene.constants.find(name);
-      if (at == scene.constants.end())
+  void declare(const Scene& scene, PassList& list) override {
+    for (const char* const name : {"flow_alignment", "elastic_constant"})
+      if (!scene.constants.contains(name))
         throw Error(ExitCode::bad_case, std::string("elastic_stress needs the '") + name +
                                             "' of a nematic: add a [physics.*] section with type = \"beris_edwards\"");
-      return at->second;
-    };
-    lambda_ = constant("flow_alignment");
-    k_ = constant("elastic_constant");
-  }
-
-  // Waves of the director against the fluid's inertia: rho w' ~ K k^4 X theta with X <= 2 + |lambda|, theta' ~ X w / 4.
-  void step_limits(const Scene& scene, StepLimits& limits) const override {
-    const auto density = scene.constants.find("density");
-    if (k_ > 0.0 && density != scene.constants.end())
-      limits.add("elastic waves: 0.25 h^2 sqrt(rho / K) / (2 + |lambda|)",
-                 0.25 * scene.smoothing_length * scene.smoothing_length * std::sqrt(density->second / k_) /
-                     (2.0 + std::abs(lambda_)));
-  }
-
-  void passes(PassList& list) override {
+    lambda_ = scene.constant("flow_alignment");
+    const double k = scene.constant("elastic_constant");
+    // Waves of the director against the fluid's inertia: rho w' ~ K k^4 X theta with X <= 2 + |lambda|, theta' ~ X w
+    // / 4.
+    if (k > 0.0 && scene.constants.contains("density"))
+      list.step_limit(StepCause::elastic_waves, "0.25 h^2 sqrt(rho / K) / (2 + |lambda|)", [this, k](const Scene& run) {
+        return 0.25 * run.smoothing_length * run.smoothing_length * std::sqrt(run.constant("density") / k) /
+               (2.0 + std::abs(lambda_));
+      });
     list.field("elastic_stress", Rank::matrix).unit("Pa").doc("Pi, of turning and stretching Q, row by row");
     list.pass("elastic stress")
         .reads({"order_tensor", "molecular_field"})
@@ -139,7 +126,6 @@ class ElasticStress final : public Physics {
 
  private:
   double lambda_ = 0.0;
-  double k_ = 0.0;
 };
 
 }  // namespace

@@ -35,18 +35,10 @@ class FlowFields final : public Physics {
         .doc("spacing of the mesh of the stream function, about; waves shorter than 3 of it are left out");
   }
 
-  void prepare(const Scene& scene) override {
+  void declare(const Scene& scene, PassList& list) override {
     grid_ = StreamFunction::grid_of(scene, mesh_spacing_);
-    particle_count_ = scene.particle_count;
     periodic_ = scene.periodic[0] && scene.periodic[1];
-    prepared_ = true;
-  }
-
-  [[nodiscard]] double memory() const override {
-    return prepared_ && periodic_ ? StreamFunction::memory(grid_, particle_count_) : 0.0;
-  }
-
-  void passes(PassList& list) override {
+    if (periodic_) list.memory(StreamFunction::memory(grid_, scene.particle_count));
     list.field("vorticity", Rank::scalar).unit("1/s").doc("omega = dv/dx - du/dy");
     list.field("stream_function", Rank::scalar)
         .unit("m2/s")
@@ -77,9 +69,7 @@ class FlowFields final : public Physics {
 
   double mesh_spacing_ = 1.5;
   mesh::Grid<2> grid_;
-  Index particle_count_ = 0;
   bool periodic_ = false;
-  bool prepared_ = false;
   std::unique_ptr<StreamFunction> stream_function_;
 };
 

@@ -30,9 +30,12 @@ class Friction final : public Physics {
         .doc("xi: force density per velocity");
   }
 
-  void constants(Constants& constants) const override { constants["friction"] = coefficient_; }
+  void publish(Scene& scene) const override { scene.constants["friction"] = coefficient_; }
 
-  void passes(PassList& list) override {
+  void declare(const Scene& scene, PassList& list) override {
+    if (coefficient_ > 0.0 && scene.constants.contains("density") && !scene.scales.friction_for_any_step)
+      list.step_limit(StepCause::friction, "0.25 rho / xi",
+                      [this](const Scene& run) { return 0.25 * run.constant("density") / coefficient_; });
     list.pass("friction")
         .reads({"velocity", "density"})
         .accumulates({"acceleration"})
@@ -42,13 +45,6 @@ class Friction final : public Physics {
                          Drag<Real, Dim>{context.read<Real>("velocity"), context.read<Real>("density"),
                                          context.write<Real>("acceleration"), Real(coefficient_)});
         });
-  }
-
-  void step_limits(const Scene& scene, StepLimits& limits) const override {
-    const auto density = scene.constants.find("density");
-    if (scene.scales.friction_for_any_step) return;
-    if (coefficient_ > 0.0 && density != scene.constants.end())
-      limits.add("friction: 0.25 rho / xi", 0.25 * density->second / coefficient_);
   }
 
  private:

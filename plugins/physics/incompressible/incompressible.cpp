@@ -16,6 +16,7 @@
 
 #include "mesh_flow.hpp"
 #include "mesogen/diagnostics/error.hpp"
+#include "mesogen/nematics/numbers.hpp"
 #include "mesogen/plugin/physics.hpp"
 #include "mesogen/plugin/plugin.hpp"
 #include "pair_shift.hpp"
@@ -68,62 +69,32 @@ class Incompressible final : public Physics {
             "tenth of this times the local gradient. 0: not at all");
   }
 
-  void scales(const Scene&, Scales& scales) const override {
+  void publish(Scene& scene) const override {
+    scene.constants["density"] = fluid_.density;
+    scene.constants["viscosity"] = fluid_.viscosity;
+    Scales& scales = scene.scales;
     scales.laplacians_for_any_step.insert("order_tensor");
     scales.friction_for_any_step = true;
-    if (expected_speed_) scales.speed = std::max(scales.speed, *expected_speed_);
-  }
-  void constants(Constants& constants) const override {
-    constants["density"] = fluid_.density;
-    constants["viscosity"] = fluid_.viscosity;
+    scales.speed = std::max({scales.speed, expected_speed_.value_or(0.0), scene.initial_extent("velocity").largest});
   }
 
-  // Of an active flow the rate at which it shears, and at which disturbances of it grow.
-  void step_limits(const Scene& scene, StepLimits& limits) const override {
-    if (scene.scales.stress > 0.0)
-      limits.add("shear: 0.2 mu / largest stress", 0.2 * fluid_.viscosity / scene.scales.stress);
-  }
-
-  void prepare(const Scene& scene) override {
-    for (int d = 0; d < Dim; ++d)
-      if (!scene.periodic[static_cast<std::size_t>(d)])
-        throw Error(ExitCode::bad_case,
-                    "an incompressible flow needs a box that is periodic along every axis: take boundary = "
-                    "\"periodic_wrap\" or \"periodic_ghosts\", or between walls type = \"wcsph\"");
-    const auto number = [&](const char* name, double otherwise) {
-      const auto at = scene.constants.find(name);
-      return at == scene.constants.end() ? otherwise : at->second;
-    };
-    fluid_.friction = number("friction", 0.0);
-    if (scene.constants.contains("elastic_constant") && !scene.constants.contains("rotational_diffusivity"))
-      throw Error(ExitCode::bad_case,
-                  "an incompressible flow slows the Laplacian of the order tensor by its diffusivity: the nematic must "
-                  "publish the constant rotational_diffusivity beside elastic_constant");
-    diffusivity_ = number("rotational_diffusivity", 0.0) * number("elastic_constant", 0.0);
-    nematic_ = scene.constants.contains("elastic_constant");
-    for (int d = 0; d < Dim; ++d) {
-      grid_.length[d] = scene.box[static_cast<std::size_t>(d)];
-      grid_.points[d] = mesh::fast_size(grid_.length[d] / (mesh_spacing_ * scene.spacing));
-    }
-    particle_spacing_ = scene.spacing;
-    particle_count_ = scene.particle_count;
-    prepared_ = true;
-  }
-
-  [[nodiscard]] double memory() const override {
-    return prepared_ ? MeshFlow<Real, Dim>::memory(grid_, particle_count_) : 0.0;
-  }
-
-  void passes(PassList& list) override {
+  void declare(const Scene& scene, PassList& list) override {
+    choose(scene);
+    list.memory(MeshFlow<Real, Dim>::memory(grid_, scene.particle_count));
+    list.numbers(nematics::add_flow_numbers);
+    // Of an active flow the rate at which it shears, and at which disturbances of it grow.
+    if (const double stress = scene.scales.stress; stress > 0.0)
+      list.step_limit(StepCause::shear, "0.2 mu / largest stress",
+                      [this, stress](const Scene&) { return 0.2 * fluid_.viscosity / stress; });
     fields(list);
     list.flows({"velocity", "shift_velocity", false, "acceleration"});
-    for (int n = 0; prepared_ && n < Momentum::kept_count; ++n)
+    for (int n = 0; n < Momentum::kept_count; ++n)
       list.keep(Momentum::kept[n], Momentum::count(grid_, n), [this, n] { return flow().momentum().numbers(n); });
-    if (prepared_) list.keep("origin of the mesh", Dim, [this] { return flow().origin(); });
+    list.keep("origin of the mesh", Dim, [this] { return flow().origin(); });
     pass(list, "flow at the midpoint", Phase::begin, &MeshFlow<Real, Dim>::to_midpoint)
         .reads({"velocity"})
         .writes({"velocity", "velocity_gradient", "density"});
-    if (nematic_ || !prepared_) {
+    if (nematic_) {
       const auto derivatives = [&](Phase phase, bool in_step) {
         list.pass(in_step ? "derivatives of the order tensor" : "derivatives of the order tensor, for readers", phase)
             .reads({"order_tensor"})
@@ -157,6 +128,26 @@ class Incompressible final : public Physics {
   }
 
  private:
+  void choose(const Scene& scene) {
+    for (int d = 0; d < Dim; ++d)
+      if (!scene.periodic[static_cast<std::size_t>(d)])
+        throw Error(ExitCode::bad_case,
+                    "an incompressible flow needs a box that is periodic along every axis: take boundary = "
+                    "\"periodic_wrap\" or \"periodic_ghosts\", or between walls type = \"wcsph\"");
+    fluid_.friction = scene.constant("friction");
+    nematic_ = scene.constants.contains("elastic_constant");
+    if (nematic_ && !scene.constants.contains("rotational_diffusivity"))
+      throw Error(ExitCode::bad_case,
+                  "an incompressible flow slows the Laplacian of the order tensor by its diffusivity: the nematic must "
+                  "publish the constant rotational_diffusivity beside elastic_constant");
+    diffusivity_ = scene.constant("rotational_diffusivity") * scene.constant("elastic_constant");
+    for (int d = 0; d < Dim; ++d) {
+      grid_.length[d] = scene.box[static_cast<std::size_t>(d)];
+      grid_.points[d] = mesh::fast_size(grid_.length[d] / (mesh_spacing_ * scene.spacing));
+    }
+    particle_spacing_ = scene.spacing;
+  }
+
   using Action = void (MeshFlow<Real, Dim>::*)(const PassContext&);
   Pass& pass(PassList& list, const char* name, Phase phase, Action action) {
     return list.pass(name, phase).run([this, action](const PassContext& context) { (flow().*action)(context); });
@@ -188,13 +179,13 @@ class Incompressible final : public Physics {
   }
 
   void fields(PassList& list) const {
-    list.field("velocity", Rank::vector).unit("m/s").doc("u, without divergence").advanced_by_passes();
+    list.field("velocity", Rank::vector).unit("m/s").doc("u, without divergence").shown().advanced_by_passes();
     list.field("velocity_gradient", Rank::matrix).unit("1/s").doc("d u_c / d x_d as component c * Dim + d");
     list.field("acceleration", Rank::vector).unit("m/s2").doc("force densities of others over rho");
     list.field("density", Rank::scalar).unit("kg/m3").doc("rho, the same everywhere");
     list.field("pressure", Rank::scalar).unit("Pa").doc("p at the midpoint of the step; its mean is 0");
     list.field("shift_velocity", Rank::vector).unit("m/s").doc("artificial displacement per time");
-    if (!nematic_ && prepared_) return;
+    if (!nematic_) return;
     list.field("order_tensor_gradient", Rank::matrix).unit("1/m").doc("d Q_c / d x_d as component c * Dim + d");
     list.field("order_tensor_laplacian", Rank::order_tensor)
         .unit("1/m2")
@@ -211,8 +202,6 @@ class Incompressible final : public Physics {
   bool nematic_ = false;
   mesh::Grid<Dim> grid_;
   double particle_spacing_ = 0.0;
-  Index particle_count_ = 0;
-  bool prepared_ = false;
   std::unique_ptr<MeshFlow<Real, Dim>> flow_;
 };
 

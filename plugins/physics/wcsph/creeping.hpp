@@ -36,10 +36,7 @@ inline double smallest_square(const Scene& scene) {
 /// relaxation is not among them: it changes the order of the whole scene at the start alone, and in cores it is as fast
 /// as elasticity is there.
 inline double creeping_density(const Scene& scene, double viscosity, double ratio) {
-  const auto constant = [&](const char* name) {
-    const auto at = scene.constants.find(name);
-    return at == scene.constants.end() ? 0.0 : at->second;
-  };
+  const auto constant = [&](const char* name) { return scene.constant(name); };
   const double friction = constant("friction");
   const double a = constant("bulk_A");
   const double c = constant("bulk_C");

@@ -50,32 +50,6 @@ struct DensityDiffusion {
   }
 };
 
-/// Shepard filter (Ozbulut et al. 2020): c - beta sum_j (c_i - c_j) W_ij / sum_j W_ij. The pressure does not see what
-/// it takes away, so nothing pushes back against it and it grows: see docs/stability.md.
-template <class Real>
-struct DensityFilter {
-  static constexpr int sum_count = 2;
-  enum Sum { weight, weighted_difference };
-
-  FieldView<const Real> compression;
-  FieldView<Real> filtered;
-  Real beta;
-
-  using Own = Real;
-  MESOGEN_HOST_DEVICE Own load(Index i) const { return compression(i); }
-
-  template <class Pair, class Lane>
-  [[gnu::always_inline]] MESOGEN_HOST_DEVICE void pair(const Own& own, const Pair& p, Lane* sum) const {
-    const Lane w = p.value();
-    sum[weight] = sum[weight] + w;
-    sum[weighted_difference] = sum[weighted_difference] + w * (p.load(compression) - Lane(own));
-  }
-
-  MESOGEN_HOST_DEVICE void finish(Index i, const Own& own, const Real* sum) const {
-    filtered(i) = own + beta * sum[weighted_difference] / sum[weight];
-  }
-};
-
 /// Particle shifting (artificial particle displacement; Shadloo et al. 2011, Ozbulut et al. 2017), as a velocity:
 ///   sum_j r_ij / r_ij^3 r0^2 s,   r0 = mean distance of neighbours,
 /// where the speed s is h |grad u|, or as published (`BySpread`) |sum_j (u_i - u_j) W_ij| / sum_j W_ij: particles are
@@ -263,16 +237,6 @@ struct Momentum {
       acceleration(a, i) += total;
     }
   }
-};
-
-/// Feeds the filtered density back: dc/dt gains (filtered - midpoint) / dt.
-template <class Real>
-struct Feedback {
-  FieldView<const Real> filtered, midpoint;
-  FieldView<Real> rate;
-  Real per_step;
-
-  MESOGEN_HOST_DEVICE void operator()(Index i) const { rate(i) += per_step * (filtered(i) - midpoint(i)); }
 };
 
 }  // namespace mesogen::wcsph

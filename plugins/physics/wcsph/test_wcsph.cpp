@@ -10,6 +10,7 @@
 #include "case_run.hpp"
 #include "fake_pass_context.hpp"
 #include "mesogen/diagnostics/error.hpp"
+#include "mesogen/testing/plugin_harness.hpp"
 
 namespace {
 
@@ -236,14 +237,10 @@ TEST(Wcsph, InternalEnergyIsTheWorkOfThePressure) {
 }
 
 TEST(Wcsph, PublishesWhatItIs) {
-  PhysicsUnderTest flow("wcsph", {{"density", 2.0}, {"viscosity", 0.1}, {"expected_speed", 0.7}});
-  Constants constants;
-  flow->constants(constants);
-  EXPECT_EQ(constants.at("density"), 2.0);
-  EXPECT_EQ(constants.at("viscosity"), 0.1);
-  Scales scales;
-  flow->scales({}, scales);
-  EXPECT_EQ(scales.speed, 0.7);
+  const PhysicsUnderTest flow("wcsph", {{"density", 2.0}, {"viscosity", 0.1}, {"expected_speed", 0.7}});
+  EXPECT_EQ(flow.scene().constant("density"), 2.0);
+  EXPECT_EQ(flow.scene().constant("viscosity"), 0.1);
+  EXPECT_EQ(flow.scene().scales.speed, 0.7);
 }
 
 /// A channel of nematic, 2 m between walls.
@@ -258,11 +255,9 @@ Scene active_channel() {
 
 double density(const Scene& scene, std::map<std::string, double> more = {}) {
   more.insert({{"density", 2.0}, {"viscosity", 0.1}, {"inertia", 0.0}});
-  PhysicsUnderTest flow("wcsph", more, scene);
-  Constants constants;
-  flow->constants(constants);
-  EXPECT_EQ(constants.at("physical_density"), 2.0);
-  return constants.at("density");
+  const PhysicsUnderTest flow("wcsph", more, scene);
+  EXPECT_EQ(flow.scene().constant("physical_density"), 2.0);
+  return flow.scene().constant("density");
 }
 
 // The slowest momentum, mu k^2 / rho with half a wave between the walls, against each rate of the nematic.
@@ -305,11 +300,22 @@ TEST(Wcsph, RefusesCreepingFlowWithoutAnythingThatChanges) {
     return std::string();
   };
   EXPECT_EQ(refusal({{"density", 2.0}, {"viscosity", 0.1}, {"inertia", 0.0}}, box_of(1.0, 0.1)),
-            "inertia = false needs to know how fast the scene changes, and nothing in it tells: there is no nematic, "
+            "a creeping flow needs to know how fast the scene changes, and nothing in it tells: there is no nematic, "
             "moving wall or initial velocity. Give expected_speed, the largest speed of the flow, or leave inertia "
             "out");
-  EXPECT_EQ(refusal({{"density", 2.0}, {"viscosity", 0.1}, {"relaxation_ratio", 50.0}}, active_channel()),
-            "relaxation_ratio has a meaning only with inertia = false");
+}
+
+TEST(Wcsph, HasARelaxationRatioOnlyInCreepingFlow) {
+  try {
+    (void)testing::PluginHarness(PluginKind::physics, "wcsph",
+                                 "density = 2.0\nviscosity = 0.1\nrelaxation_ratio = 50.0")
+        .scene();
+    FAIL() << "not refused";
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("relaxation_ratio: has a meaning only with inertia = false"),
+              std::string::npos)
+        << error.what();
+  }
 }
 
 }  // namespace

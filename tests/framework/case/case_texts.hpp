@@ -66,6 +66,9 @@ struct FakeParameters {
   std::int64_t filter_every = 30;
   std::vector<double> angles;
   std::vector<std::string> names = {"a"};
+  std::string director = "uniform";
+  double order = 1.0;
+  Parameter::Rows modes;
 
   ParameterList list(const std::string& type) {
     ParameterList keys;
@@ -83,6 +86,10 @@ struct FakeParameters {
       keys.number("bulk.A", bulk_a).unit("Pa");
       keys.number("bulk.B", bulk_b).unit("Pa");
       keys.number("bulk.C", bulk_c).unit("Pa").above(0.0).required();
+    } else if (type == "director") {
+      keys.text("type", director).choices({"uniform", "perturbed", "modes", "defects"}).required();
+      keys.number("order", order).at_least(0.0);
+      keys.rows("modes", modes).sizes({4}).required().only_with("type", {"modes"});
     } else if (type == "statistics") {
       keys.numbers("angles", angles).unit("rad").at_least(0.0).below(7.0);
       keys.texts("names", names).choices({"a", "b"});
@@ -95,7 +102,7 @@ struct FakeParameters {
 inline Case read_all(const std::string& text, const std::vector<std::string>& overrides, Problems& problems) {
   Case result = read_case_text(text, "case.toml", overrides, problems);
   FakeParameters parameters;
-  for (const auto* const group : {&result.physics, &result.observers})
+  for (const auto* const group : {&result.initial, &result.physics, &result.observers})
     for (const auto& choice : *group)
       if (!choice.type.empty()) choice.read(parameters.list(choice.type), problems);
   return result;

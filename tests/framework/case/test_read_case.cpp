@@ -33,10 +33,9 @@ TEST(ReadCase, TakesEveryKey) {
   EXPECT_EQ(read.particles.seed, 3);
   EXPECT_EQ(read.kernel.type, "quintic");
   EXPECT_EQ(read.smoothing_length_ratio, 1.3333333);
-  EXPECT_TRUE(read.director.given);
-  EXPECT_EQ(read.director.modes, (Case::Rows{{1.0, 0.0, 0.05, 0.3}, {0.0, 1.0, 0.03, 1.1}}));
-  EXPECT_FALSE(read.velocity.given);
-  EXPECT_FALSE(read.colour.given);
+  ASSERT_EQ(read.initial.size(), 1U);
+  EXPECT_EQ(read.initial[0].type, "director");
+  EXPECT_EQ(read.initial[0].type_place.text(), "case.toml:12:2");
   EXPECT_EQ(read.time.end, 60.0);
   EXPECT_FALSE(read.time.step.has_value());
   EXPECT_EQ(read.output.interval, 10.0);
@@ -93,7 +92,7 @@ end = 3
   EXPECT_EQ(read.particles.arrangement, "lattice");
   EXPECT_EQ(read.particles.seed, 1);
   EXPECT_EQ(read.smoothing_length_ratio, 4.0 / 3.0);
-  EXPECT_FALSE(read.director.given);
+  EXPECT_TRUE(read.initial.empty());
   EXPECT_EQ(read.output.interval, 3.0);
   EXPECT_FALSE(read.output.fields_given);
   EXPECT_EQ(read.run.precision, Precision::single_precision);

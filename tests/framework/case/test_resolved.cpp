@@ -15,7 +15,7 @@ using testing::good_case;
 
 std::string fully_resolved(const Case& source, FakeParameters& parameters, Problems& problems) {
   ResolvedCase resolved(source);
-  for (const auto* const group : {&source.physics, &source.observers})
+  for (const auto* const group : {&source.initial, &source.physics, &source.observers})
     for (const auto& choice : *group) {
       const auto list = parameters.list(choice.type);
       choice.read(list, problems);
@@ -31,7 +31,7 @@ TEST(ResolvedCase, HoldsEveryDefault) {
   const auto text = fully_resolved(read, parameters, problems);
   ASSERT_EQ(problems.text(), "");
   for (const char* const line :
-       {"title = \"A case\"\n", "jitter = 0.2\n", "angle = 0.0\n", "step = \"auto\"\n", "factor = 1.0\n",
+       {"title = \"A case\"\n", "jitter = 0.2\n", "order = 1.0\n", "step = \"auto\"\n", "factor = 1.0\n",
         "sound_speed = \"auto\"\n", "viscosity_form = \"component_wise\"\n", "shift = true\n", "filter_every = 30\n",
         "bulk = { A = -1.0, C = 0.5, B = 0.0 }\n", "checkpoint_interval = 30.0\n", "every = 20\n", "names = [\"a\"]\n",
         "[physics.nematic]\n", "modes = [\n  [1.0, 0.0, 0.05, 0.3],\n"})
@@ -51,9 +51,9 @@ TEST(ResolvedCase, ReadsBackToTheSameCase) {
   FakeParameters parameters_again;
   EXPECT_EQ(fully_resolved(again, parameters_again, problems), text);
   ASSERT_EQ(problems.text(), "");
-  EXPECT_EQ(again.director.order, third);
+  EXPECT_EQ(parameters_again.order, third);
   EXPECT_EQ(parameters_again.viscosity, odd);
-  EXPECT_EQ(again.director.modes, read.director.modes);
+  EXPECT_EQ(parameters_again.modes, parameters.modes);
   EXPECT_EQ(again.physics.at(1).instance, "activity");
   EXPECT_EQ(again.output.fields, read.output.fields);
   EXPECT_EQ(again.run.precision, read.run.precision);

@@ -13,10 +13,10 @@
 namespace mesogen::test {
 
 /// The advice of this name that a case is given; nothing if it is not given.
-inline std::optional<Advice> advised(const CaseText& text, const std::string& name, double free_disk = 0.0) {
+inline std::optional<Suggestion> advised(const CaseText& text, const std::string& name, double free_disk = 0.0) {
   CaseRun run = CaseRun::unstarted(text);
   const auto all = advice({run.setup(), forecast_steps(run.setup()), free_disk});
-  const auto found = std::find_if(all.begin(), all.end(), [&](const Advice& one) { return one.name == name; });
+  const auto found = std::find_if(all.begin(), all.end(), [&](const Suggestion& one) { return one.name == name; });
   if (found == all.end()) return std::nullopt;
   EXPECT_FALSE(found->finding.empty());
   EXPECT_FALSE(found->gain.empty());
@@ -25,9 +25,10 @@ inline std::optional<Advice> advised(const CaseText& text, const std::string& na
 }
 
 /// Followed, it is not given again.
-inline void expect_settled(const CaseText& text, const Advice& followed) {
+inline void expect_settled(const CaseText& text, const Suggestion& followed) {
   CaseRun run(text, followed.settings);
-  for (const Advice& one : advice({run.setup(), forecast_steps(run.setup()), 0.0})) EXPECT_NE(one.name, followed.name);
+  for (const Suggestion& one : advice({run.setup(), forecast_steps(run.setup()), 0.0}))
+    EXPECT_NE(one.name, followed.name);
 }
 
 /// Taylor-Green vortices, Re = 100 with 0.01 Pa s, `flow`: keys of the flow.

@@ -25,7 +25,8 @@ double error_of_speed(CaseRun& run, double viscosity = 0.01) {
 
 TEST(Advice, HasNothingToSayOfAGoodCaseButThatItNeedsNoSound) {
   CaseRun run = CaseRun::unstarted(vortices().precision("single"));
-  for (const Advice& one : advice({run.setup(), forecast_steps(run.setup()), 1e12})) EXPECT_EQ(one.name, "no_sound");
+  for (const Suggestion& one : advice({run.setup(), forecast_steps(run.setup()), 1e12}))
+    EXPECT_EQ(one.name, "no_sound");
 }
 
 TEST(Advice, WithoutSoundStepsAreFewerAndTheErrorIsSmall) {

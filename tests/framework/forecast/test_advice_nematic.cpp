@@ -118,7 +118,7 @@ TEST(Advice, ACoreThatNoSpacingResolvesIsTold) {
   CaseRun run = CaseRun::unstarted(text);
   const auto all = advice({run.setup(), forecast_steps(run.setup()), 0.0});
   const auto found =
-      std::find_if(all.begin(), all.end(), [](const Advice& one) { return one.name == "core_under_resolved"; });
+      std::find_if(all.begin(), all.end(), [](const Suggestion& one) { return one.name == "core_under_resolved"; });
   ASSERT_NE(found, all.end());
   EXPECT_TRUE(found->settings.empty());
   EXPECT_NE(found->finding.find("is 0.00045 spacings"), std::string::npos) << found->finding;

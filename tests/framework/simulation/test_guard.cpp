@@ -133,7 +133,7 @@ TEST(Guard, BoundsOfAFieldAreThoseOfItsPlugin) {
               "0\\.3[45][0-9]* at particle 123" + somewhere +
               R"(, outside -0\.3 to 0\.3, at t = 5e-06 s \(step 5, step size 1e-06 s\)\. )"
               R"(If the flow is faster than a tenth of the sound, leave sound_speed and time\.step at "auto", where )"
-              R"(the sound adapts, or raise sound_speed; else leave the shift on, density_filter at 0 and )"
+              R"(the sound adapts, or raise sound_speed; else leave the shift on and )"
               R"(time\.scheme at "midpoint", or take a smaller step )"
               R"(\(time\.factor = 0\.5\); )"
               "the frames before are kept");

@@ -18,8 +18,8 @@ Scene scene() {
 
 StepLimits two_limits() {
   StepLimits limits;
-  limits.add("sound", 0.02);
-  limits.add("viscosity", 0.01);
+  limits.add(StepCause::sound, "0.25 h / c0", 0.02);
+  limits.add(StepCause::viscosity, "", 0.01);
   return limits;
 }
 
@@ -61,7 +61,7 @@ TEST(StepControl, StepOfTheCaseIsTakenAsItIs) {
 TEST(StepControl, LimitsChangeWithThePlugins) {
   StepControl control(scene(), two_limits(), {}, 0.5);
   StepLimits faster;
-  faster.add("sound", 0.004);
+  faster.add(StepCause::sound, "", 0.004);
   control.set_limits(faster);
   const auto choice = control.choose(0.0, 0.0);
   EXPECT_EQ(choice.seconds, 0.002);

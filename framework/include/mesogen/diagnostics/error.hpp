@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "mesogen/export.hpp"
 
@@ -25,6 +26,19 @@ class MESOGEN_EXPORT Error : public std::runtime_error {
 
  private:
   ExitCode code_;
+};
+
+/// A plugin refuses the value of a parameter of its own: the message then has the parameter's place in the case before
+/// it. `key` is the parameter's name, "bulk.A".
+class MESOGEN_EXPORT BadParameter : public Error {
+ public:
+  BadParameter(std::string key, const std::string& message)
+      : Error(ExitCode::bad_case, message), key_(std::move(key)) {}
+  ~BadParameter() override;
+  [[nodiscard]] const std::string& key() const noexcept { return key_; }
+
+ private:
+  std::string key_;
 };
 
 }  // namespace mesogen

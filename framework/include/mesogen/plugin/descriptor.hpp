@@ -12,11 +12,12 @@ class Kernel;
 class Boundary;
 class Physics;
 class Observer;
+class Initial;
 
-enum class PluginKind : std::int32_t { kernel = 1, boundary = 2, physics = 3, observer = 4 };
+enum class PluginKind : std::int32_t { kernel = 1, boundary = 2, physics = 3, observer = 4, initial = 5 };
 
 /// Raised whenever a public interface changes.
-#define MESOGEN_ABI 6
+#define MESOGEN_ABI 7
 inline constexpr std::int32_t abi_number = MESOGEN_ABI;
 inline constexpr std::uint64_t descriptor_magic = 0x4e45474f53454d31ULL;  // "1MESOGEN" in memory
 
@@ -42,7 +43,8 @@ struct PluginDescriptor {
   const char* name;
   const char* version;
   const char* summary;
-  /// A new object of the kind's class, as a pointer to that class (Kernel*, Boundary*, Physics* or Observer*);
+  /// A new object of the kind's class, as a pointer to that class (Kernel*, Boundary*, Physics*, Observer* or
+  /// Initial*);
   /// nullptr if it has no form for this precision and dimension.
   void* (*create)(Precision precision, int dimension);
 };

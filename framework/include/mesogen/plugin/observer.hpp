@@ -95,7 +95,7 @@ class MESOGEN_EXPORT ObserverContext {
   [[nodiscard]] virtual std::span<const std::int64_t> id() const = 0;
   [[nodiscard]] virtual const Scene& scene() const = 0;
   [[nodiscard]] virtual const sph::SmoothingKernel& kernel() const = 0;
-  /// A number that a physics plugin published for observers (Pa, ...), such as "elastic_constant"; NaN if none did.
+  /// A number that a plugin published by name, in the unit that it gave; NaN if none did.
   [[nodiscard]] virtual double constant(std::string_view name) const = 0;
   [[nodiscard]] virtual double time() const = 0;
   [[nodiscard]] virtual std::int64_t step() const = 0;

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <deque>
 #include <limits>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -32,6 +33,8 @@ struct MESOGEN_EXPORT Parameter {
   bool is_required = false;
   std::vector<std::string> choice_list;  ///< of a text, or of each text of a list
   std::vector<std::size_t> size_list;    ///< allowed lengths: of a list of numbers, or of each row; empty: any
+  std::string condition_key;             ///< see only_with; empty: no condition
+  std::vector<std::string> condition_values;
 
   Parameter& unit(std::string_view text);
   Parameter& doc(std::string_view text);
@@ -44,6 +47,9 @@ struct MESOGEN_EXPORT Parameter {
   Parameter& required();
   Parameter& choices(std::vector<std::string> allowed);
   Parameter& sizes(std::vector<std::size_t> allowed);
+  /// The key has a meaning only while another key of the same list, declared before it, has one of these values (a
+  /// choice, the word of an optional number, "true" or "false"). Otherwise it must not be given, required or not.
+  Parameter& only_with(std::string_view other_key, std::vector<std::string> values);
 
   /// "number", "number or \"auto\"", "integer", "true or false", "text", "list of numbers", ...
   [[nodiscard]] std::string type_text() const;
@@ -51,6 +57,8 @@ struct MESOGEN_EXPORT Parameter {
   [[nodiscard]] std::string value_text() const;
   /// "> 0", "0 to 1", "one of: a, b"; empty where everything is allowed.
   [[nodiscard]] std::string range_text() const;
+  /// `type = "modes"`, `anchoring = "planar" or "angle"`: the condition of only_with; empty where there is none.
+  [[nodiscard]] std::string condition_text() const;
 };
 
 /// The keys that a plugin, or a section of the case, understands. Each call binds a key to a variable of the caller,
@@ -69,10 +77,22 @@ class MESOGEN_EXPORT ParameterList {
   Parameter& rows(std::string_view name, Parameter::Rows& target);
 
   [[nodiscard]] const std::deque<Parameter>& all() const { return parameters_; }
+  /// A key that this list had once. A case that gives it is refused with `advice` on what to write instead.
+  void moved(std::string_view name, std::string_view advice) { moved_.insert_or_assign(std::string(name), advice); }
+  /// The advice on such a key; empty if there is none.
+  [[nodiscard]] std::string moved_advice(const std::string& name) const {
+    const auto found = moved_.find(name);
+    return found == moved_.end() ? std::string() : found->second;
+  }
+  /// nullptr if there is none of this name.
+  [[nodiscard]] const Parameter* find(std::string_view name) const;
+  /// Does the condition of a parameter of this list hold, with the values that the targets have now?
+  [[nodiscard]] bool applies(const Parameter& parameter) const;
 
  private:
   Parameter& add(std::string_view name, Parameter::Target target);
   std::deque<Parameter> parameters_;
+  std::map<std::string, std::string> moved_;
 };
 
 }  // namespace mesogen

@@ -11,6 +11,9 @@
 
 #include "mesogen/export.hpp"
 #include "mesogen/field/rank.hpp"
+#include "mesogen/plugin/advice.hpp"
+#include "mesogen/plugin/scene.hpp"
+#include "mesogen/plugin/step_limits.hpp"
 
 namespace mesogen {
 
@@ -80,9 +83,21 @@ struct MESOGEN_EXPORT FieldDeclaration {
   std::string rate;                   ///< field that holds its rate of change
   std::optional<FieldBounds> bounds;  ///< see stays_within
   Watch watch;                        ///< see watched_by
+  bool is_shown = false;              ///< see shown
+  bool needs_start = false;           ///< see set_at_start
 
   FieldDeclaration& unit(std::string_view text);
   FieldDeclaration& doc(std::string_view text);
+  /// Frames store it unless the case names other fields.
+  FieldDeclaration& shown() {
+    is_shown = true;
+    return *this;
+  }
+  /// An initial condition has to set it: a case without one is refused. Other fields start from 0.
+  FieldDeclaration& set_at_start() {
+    needs_start = true;
+    return *this;
+  }
   /// The framework advances this field with `rate_field`, keeps it in double and in checkpoints.
   FieldDeclaration& advanced_by(std::string_view rate_field);
   FieldDeclaration& predicted_by(std::string_view rate_field);
@@ -157,8 +172,37 @@ class MESOGEN_EXPORT PassList {
     kept_.push_back({std::string(name), count, std::move(where)});
   }
 
+  /// A limit on the step, s: infinite where it does not limit. It stays the same over the run, or until a watch changes
+  /// something (FieldDeclaration::watched_by). `rule` says how it is made: "0.25 h / c0".
+  void step_limit(StepCause cause, std::string_view rule, std::function<double(const Scene&)> seconds) {
+    limits_.push_back({cause, std::string(rule), std::move(seconds)});
+  }
+  /// A number for observers, limits and advice that is known only now, beside those of Physics::publish.
+  void constant(std::string_view name, double value) { constants_.insert_or_assign(std::string(name), value); }
+  /// Approximate memory beyond the declared fields, bytes, for the forecast of a run. It must not be taken before
+  /// passes run.
+  void memory(double bytes) { memory_ += bytes; }
+  /// Numbers that tell what kind of scene this is.
+  void numbers(std::function<void(const Scene&, std::vector<SceneNumber>&)> function) {
+    numbers_ = std::move(function);
+  }
+  /// What would be better otherwise in this scene.
+  void advice(std::function<void(const AdviceContext&, std::vector<Suggestion>&)> function) {
+    advice_ = std::move(function);
+  }
+
   [[nodiscard]] const std::deque<FieldDeclaration>& fields() const { return fields_; }
   [[nodiscard]] const std::deque<Pass>& passes() const { return passes_; }
+  struct Limit {
+    StepCause cause;
+    std::string rule;
+    std::function<double(const Scene&)> seconds;
+  };
+  [[nodiscard]] const std::vector<Limit>& step_limits() const { return limits_; }
+  [[nodiscard]] const Constants& constants() const { return constants_; }
+  [[nodiscard]] double memory() const { return memory_; }
+  [[nodiscard]] const auto& numbers() const { return numbers_; }
+  [[nodiscard]] const auto& advice() const { return advice_; }
   [[nodiscard]] const Transport& transport() const { return transport_; }
   struct Kept {
     std::string name;
@@ -169,6 +213,11 @@ class MESOGEN_EXPORT PassList {
 
  private:
   std::vector<Kept> kept_;
+  std::vector<Limit> limits_;
+  Constants constants_;
+  double memory_ = 0.0;
+  std::function<void(const Scene&, std::vector<SceneNumber>&)> numbers_;
+  std::function<void(const AdviceContext&, std::vector<Suggestion>&)> advice_;
   std::deque<FieldDeclaration> fields_;
   std::deque<Pass> passes_;
   Transport transport_;

@@ -9,7 +9,7 @@
 ///     MESOGEN_PHYSICS_PLUGIN(Friction, "friction", "1.0.0", "Linear friction on a substrate")    // class template
 ///     MESOGEN_KERNEL_PLUGIN(Quintic, "quintic", "1.0.0", "Quintic spline")                       // class
 ///
-/// and likewise BOUNDARY and OBSERVER (classes). A physics plugin is a class template <class Real, int Dim>.
+/// and likewise BOUNDARY, INITIAL and OBSERVER (classes). A physics plugin is a class template <class Real, int Dim>.
 namespace mesogen::detail {
 
 template <class Base, class Derived>
@@ -45,6 +45,8 @@ void* create_templated(Precision precision, int dimension) {
   MESOGEN_PLUGIN_(kernel, (&::mesogen::detail::create_plain<::mesogen::Kernel, CLASS>), NAME, VERSION, SUMMARY)
 #define MESOGEN_BOUNDARY_PLUGIN(CLASS, NAME, VERSION, SUMMARY) \
   MESOGEN_PLUGIN_(boundary, (&::mesogen::detail::create_plain<::mesogen::Boundary, CLASS>), NAME, VERSION, SUMMARY)
+#define MESOGEN_INITIAL_PLUGIN(CLASS, NAME, VERSION, SUMMARY) \
+  MESOGEN_PLUGIN_(initial, (&::mesogen::detail::create_plain<::mesogen::Initial, CLASS>), NAME, VERSION, SUMMARY)
 #define MESOGEN_OBSERVER_PLUGIN(CLASS, NAME, VERSION, SUMMARY) \
   MESOGEN_PLUGIN_(observer, (&::mesogen::detail::create_plain<::mesogen::Observer, CLASS>), NAME, VERSION, SUMMARY)
 #define MESOGEN_PHYSICS_PLUGIN(CLASS, NAME, VERSION, SUMMARY) \

@@ -22,20 +22,20 @@ struct Scales {
   /// Largest stress that comes and goes, such as that of a distorted start: a flow has to survive it, Pa.
   double passing_stress = 0.0;
   double speed = 0.0;  ///< expected or initial speed, m/s
-  /// Fields whose Laplacian, as a plugin makes it, takes any step: their diffusion limits none. Of the order tensor, if
-  /// the nematic tells its diffusivity by the constants rotational_diffusivity and elastic_constant.
+  /// Speed that the stresses of the scene drive, if nothing tells of a speed, m/s.
+  double driven_speed = 0.0;
+  /// Fields whose Laplacian, as a plugin makes it, takes any step: their diffusion limits none.
   std::set<std::string, std::less<>> laplacians_for_any_step;
   bool friction_for_any_step = false;  ///< the flow takes the constant `friction` into account in steps of any length
 };
 
-/// How the order tensor is distorted when the run starts, also by what walls hold it at.
-struct Distortion {
-  double laplacian = 0.0;     ///< largest |lap Q| = sqrt((lap Q11)^2 + (lap Q12)^2) of a particle, 1/m2
-  double lowest_order = 0.0;  ///< smallest and largest order q of a particle
-  double highest_order = 0.0;
+/// A field as the initial conditions set it.
+struct InitialExtent {
+  double largest = 0.0;    ///< largest length of it on a particle (of an order tensor, its order q), in its unit
+  double laplacian = 0.0;  ///< of an order tensor, largest length of its Laplacian, also by what walls hold it at, 1/m2
 };
 
-/// Numbers that physics plugins publish for observers and for each other: "elastic_constant", "density", ...
+/// Numbers that plugins publish for observers and for each other, by name.
 using Constants = std::map<std::string, double, std::less<>>;
 
 /// What a plugin may know of the case beside its own parameters: fixed before the run starts.
@@ -55,24 +55,21 @@ struct Scene {
     return scales.laplacians_for_any_step.contains(field) ? std::numeric_limits<double>::infinity() : diffusion_step;
   }
   Index particle_count = 0;
-  Distortion distortion;  ///< zero where the case has no director
-  Scales scales;          ///< what the physics plugins said of their magnitudes
-  Constants constants;    ///< what they published by name
-};
-
-/// Limits on the step; the smallest binds, and its name is reported.
-class MESOGEN_EXPORT StepLimits {
- public:
-  struct Limit {
-    std::string name;
-    double seconds;
-  };
-  /// `name` says what limits, such as "friction: 0.25 rho / xi"; infinite: it does not.
-  void add(std::string name, double seconds);
-  [[nodiscard]] const std::vector<Limit>& all() const { return limits_; }
-
- private:
-  std::vector<Limit> limits_;
+  /// By field; without those that no initial condition sets.
+  std::map<std::string, InitialExtent, std::less<>> initial;
+  [[nodiscard]] InitialExtent initial_extent(std::string_view field) const {
+    const auto found = initial.find(field);
+    return found == initial.end() ? InitialExtent{} : found->second;
+  }
+  Scales scales;        ///< what the physics plugins said of their magnitudes
+  Constants constants;  ///< what plugins published by name
+  /// A published number, or `otherwise` if nobody published it.
+  [[nodiscard]] double constant(std::string_view name, double otherwise = 0.0) const {
+    const auto found = constants.find(name);
+    return found == constants.end() ? otherwise : found->second;
+  }
+  /// The speed that is expected, m/s: what plugins tell, or else what stresses drive; 0 if nothing is known.
+  [[nodiscard]] double expected_speed() const { return scales.speed > 0.0 ? scales.speed : scales.driven_speed; }
 };
 
 }  // namespace mesogen

@@ -13,6 +13,7 @@
 #include "mesogen/diagnostics/error.hpp"
 #include "mesogen/plugin/boundary.hpp"
 #include "mesogen/plugin/descriptor.hpp"
+#include "mesogen/plugin/initial.hpp"
 #include "mesogen/plugin/kernel.hpp"
 #include "mesogen/plugin/observer.hpp"
 #include "mesogen/plugin/passes.hpp"
@@ -119,10 +120,12 @@ class MESOGEN_EXPORT PluginHarness {
   /// The tested plugin itself, until a field is set; throws if it is of another kind.
   [[nodiscard]] Kernel& kernel();
   [[nodiscard]] Boundary& boundary();
+  [[nodiscard]] Initial& initial();
   [[nodiscard]] Physics& physics();
   [[nodiscard]] Observer& observer();
   /// What it declared.
   [[nodiscard]] const PassList& passes();
+  [[nodiscard]] const InitialPlan& initial_plan();
   [[nodiscard]] const ObserverPlan& plan();
 
  private:

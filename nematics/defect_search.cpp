@@ -1,0 +1,32 @@
+#include "mesogen/nematics/defect_search.hpp"
+
+#include <string>
+
+#include "mesogen/diagnostics/error.hpp"
+
+namespace mesogen::nematics {
+
+void DefectSearch::parameters(ParameterList& list) {
+  list.number("merge_distance", merge_distance)
+      .unit("spacings")
+      .at_least(0.0)
+      .at_most(100.0)
+      .doc("pairs of opposite charges closer than this are left out: they are about to vanish, or noise");
+  list.number("smoothing_length", smoothing_length)
+      .unit("spacings")
+      .above(0.25)
+      .at_most(10.0)
+      .doc("of the kernel that averages what the particles carry; its shape is that of the run's kernel");
+}
+
+void DefectSearch::needs_plane(const Scene& scene, const char* observer) {
+  if (scene.dimension != 2)
+    throw Error(ExitCode::bad_case, std::string(observer) + ": finds defects in two dimensions only");
+}
+
+std::vector<Defect> DefectSearch::find(const ObserverContext& context) const {
+  const Scene& scene = context.scene();
+  return without_close_pairs(DirectorGrid(context, smoothing_length).defects(), scene, merge_distance * scene.spacing);
+}
+
+}  // namespace mesogen::nematics

@@ -1,0 +1,88 @@
+#include "advice.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "mesogen/diagnostics/formatted.hpp"
+#include "mesogen/nematics/numbers.hpp"
+
+namespace mesogen::wcsph {
+
+namespace {
+
+constexpr double creeping = 0.1;    // Reynolds number by the box below which inertia plays no part
+constexpr double worthwhile = 1.5;  // times fewer steps: below, the error is not worth it
+
+// Explicit viscosity binds the step by the fluid's mass, which a creeping flow does not feel.
+void advise_on_inertia(const FlowChoice& flow, const AdviceContext& context, std::vector<Suggestion>& list) {
+  if (!flow.inertia || !std::isfinite(flow.creeping_density) || !(flow.creeping_density > worthwhile * flow.density))
+    return;
+  const double reynolds = nematics::reynolds_number(context.scene);
+  if (!(reynolds > 0.0) || reynolds >= creeping) return;
+  list.push_back(
+      {"no_inertia",
+       formatted("the Reynolds number by the box is %.2g: the fluid's mass plays no part in this flow, but binds "
+                 "the step",
+                 reynolds),
+       {context.section + ".inertia=false"},
+       formatted("an artificial density, %.2g times the fluid's, and as many times fewer steps; growth rates are "
+                 "up to 5 %% too low",
+                 flow.creeping_density / flow.density)});
+}
+
+// Density varies as the square of speed over sound speed.
+void advise_on_sound(const FlowChoice& flow, const AdviceContext& context, std::vector<Suggestion>& list) {
+  const double sound = flow.sound_speed;
+  const double automatic = flow.automatic_sound_speed;
+  const bool binds = context.binding == StepCause::sound && !context.step_is_given;
+  const std::string unit = context.unit("m/s");
+  const std::vector<std::string> settings{context.section + ".sound_speed=auto"};
+  if (sound > 0.0 && sound < 0.7 * automatic) {
+    const bool free = context.binding != StepCause::sound && !context.step_is_given;
+    list.push_back(
+        {"sound_too_slow",
+         formatted("the sound, %.3g %s, is slower than this flow and its stresses ask for, %.3g %s%s", sound,
+                   unit.c_str(), automatic, unit.c_str(), free ? "; faster sound costs nothing up to there" : ""),
+         settings, formatted("density varies some %.2g times less", std::pow(automatic / sound, 2))});
+  }
+  if (binds && automatic > 0.0 && sound > 1.4 * automatic)
+    list.push_back(
+        {"sound_too_fast",
+         formatted("the sound, %.3g %s, binds the step and is faster than this flow and its stresses ask for, "
+                   "%.3g %s",
+                   sound, unit.c_str(), automatic, unit.c_str()),
+         settings, formatted("%.2g times fewer steps", sound / automatic)});
+}
+
+// An incompressible flow, where what sound and viscosity allow is far below what motion and the rest of the physics
+// need. With keys of its own the case asks for this plugin.
+void advise_on_another_flow(const FlowChoice& flow, const AdviceContext& context, std::vector<Suggestion>& list) {
+  const Scene& scene = context.scene;
+  for (int d = 0; d < scene.dimension; ++d)
+    if (!scene.periodic[static_cast<std::size_t>(d)]) return;
+  if (!flow.only_defaults) return;
+  double others = std::numeric_limits<double>::infinity();
+  for (const auto& limit : context.limits.all())
+    // Diffusion and friction limit no step of that flow.
+    if (limit.cause != StepCause::sound && limit.cause != StepCause::viscosity &&
+        limit.cause != StepCause::elasticity && limit.cause != StepCause::friction)
+      others = std::min(others, limit.seconds);
+  if (scene.scales.speed > 0.0) others = std::min(others, 0.2 * scene.spacing / scene.scales.speed);
+  if (!(others > 4.0 * flow.step)) return;
+  list.push_back({"no_sound",
+                  "sound or viscosity bind the step, and this box is periodic: an incompressible flow needs neither",
+                  {context.section + ".type=incompressible"},
+                  "far fewer steps, and a flow solved to the accuracy of Fourier series; lost: sound, compression and "
+                  "the density's equation, walls"});
+}
+
+}  // namespace
+
+void advise(const FlowChoice& flow, const AdviceContext& context, std::vector<Suggestion>& list) {
+  advise_on_inertia(flow, context, list);
+  advise_on_sound(flow, context, list);
+  advise_on_another_flow(flow, context, list);
+}
+
+}  // namespace mesogen::wcsph

@@ -1,0 +1,104 @@
+#include "fluid.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "advice.hpp"
+#include "creeping.hpp"
+#include "mesogen/diagnostics/error.hpp"
+#include "mesogen/nematics/numbers.hpp"
+#include "sound_speed.hpp"
+
+namespace mesogen::wcsph {
+
+void Fluid::parameters(ParameterList& list) {
+  list.number("density", physical_density_).unit("kg/m3").above(0).required().doc("rho0: reference density");
+  list.number("viscosity", viscosity_).unit("Pa s").above(0).required().doc("mu: dynamic viscosity");
+  list.flag("inertia", inertia_)
+      .doc(
+          "true: solve the momentum equation with the fluid's density. false: creeping (Stokes) flow, with an "
+          "artificial density, as large as relaxation_ratio allows; the field `density` is then the artificial one");
+  list.number("relaxation_ratio", relaxation_ratio_)
+      .unit("1")
+      .at_least(2)
+      .doc(
+          "momentum relaxes at least this many times faster than the nematic changes. Growth rates are too low by up "
+          "to "
+          "1 / relaxation_ratio; the number of steps grows in proportion to it")
+      .only_with("inertia", {"false"});
+  list.number_or("sound_speed", sound_speed_, "auto")
+      .unit("m/s")
+      .above(0)
+      .doc(
+          "c0; auto: 10 times the expected speed, stresses / (rho delta), and for free as high as the viscous step "
+          "allows. It rises during a run, and steps get shorter, where the largest |rho / rho0 - 1| exceeds 3 times "
+          "density_variation on average over the time of sound through the box, or 10 times at any moment, or the "
+          "flow exceeds half of c0. A c0 that is given, or any with a given time.step, stays");
+  list.number_or("expected_speed", expected_speed_, "auto")
+      .unit("m/s")
+      .at_least(0)
+      .doc("largest speed that the flow will reach, for c0; auto: the initial one");
+  list.number("density_variation", density_variation_)
+      .unit("1")
+      .above(0)
+      .at_most(0.1)
+      .doc("delta: relative density variation that c0 is chosen for");
+}
+
+void Fluid::publish(Scene& scene) const {
+  scene.scales.speed =
+      std::max({scene.scales.speed, expected_speed_.value_or(0.0), scene.initial_extent("velocity").largest});
+  scene.constants["viscosity"] = viscosity_;
+  scene.constants["density"] = inertia_ ? physical_density_ : artificial_density(scene);
+  if (inertia_) return;
+  scene.constants["physical_density"] = physical_density_;
+  scene.constants["relaxation_ratio"] = relaxation_ratio_;
+}
+
+void Fluid::declare(const Scene& scene, PassList& list, double viscous_share, bool plain) {
+  viscous_share_ = viscous_share;
+  choose(scene);
+  list.constant("sound_speed", sound_.speed());
+  list.numbers(nematics::add_flow_numbers);
+  list.step_limit(StepCause::sound, "0.25 h / c0", [this](const Scene& run) { return sound_step(run); });
+  list.step_limit(StepCause::viscosity, "stable diffusion by mu / rho",
+                  [this](const Scene& run) { return viscous_step(run); });
+  plain = plain && density_variation_ == 0.01;
+  list.advice([this, plain](const AdviceContext& context, std::vector<Suggestion>& suggestions) {
+    advise({sound_.speed(), automatic_sound_speed_, physical_density_, artificial_density(context.scene), inertia_,
+            std::min(sound_step(context.scene), viscous_step(context.scene)), plain},
+           context, suggestions);
+  });
+}
+
+// Above what is needed the sound may be as fast, at no cost, as the acoustic limit on the step meets the viscous one.
+void Fluid::choose(const Scene& scene) {
+  density_ = scene.constant("density");
+  if (!std::isfinite(density_))
+    throw BadParameter("inertia",
+                       "a creeping flow needs to know how fast the scene changes, and nothing in it tells: there is no "
+                       "nematic, moving wall or initial velocity. Give expected_speed, the largest speed of the flow, "
+                       "or leave inertia out");
+  const auto* const begin = scene.box.begin();
+  const auto* const end = begin + scene.dimension;
+  const double needed =
+      needed_sound_speed(density_, viscosity_, density_variation_, scene.scales, *std::min_element(begin, end));
+  const double free = 0.25 * scene.smoothing_length / viscous_step(scene);
+  automatic_sound_speed_ = std::max(needed, free);
+  sound_.start(sound_speed_.value_or(automatic_sound_speed_), density_variation_, *std::max_element(begin, end),
+               !sound_speed_);
+  smoothing_length_ = scene.smoothing_length;
+  mass_ = density_ * std::pow(scene.spacing, scene.dimension);
+}
+
+double Fluid::artificial_density(const Scene& scene) const {
+  return creeping_density(scene, viscosity_, relaxation_ratio_);
+}
+
+double Fluid::sound_step(const Scene& scene) const { return 0.25 * scene.smoothing_length / sound_.speed(); }
+
+double Fluid::viscous_step(const Scene& scene) const {
+  return scene.diffusion_step * density_ / viscosity_ * viscous_share_;
+}
+
+}  // namespace mesogen::wcsph
