@@ -1,6 +1,7 @@
 #include <cmath>
 
 #include "check_facts.hpp"
+#include "json.hpp"
 
 namespace mesogen::app {
 
@@ -94,7 +95,7 @@ Json advice_json(const std::vector<AdviceFacts>& advice) {
 
 }  // namespace
 
-Json check_json(const Setup& setup, const PluginRegistry& registry, const CheckFacts& facts) {
+std::string check_json(const Setup& setup, const PluginRegistry& registry, const CheckFacts& facts) {
   Json numbers = Json::object();
   for (const SceneNumber& number : facts.numbers)
     numbers[number.name] = {{"value", number.value}, {"unit", number.unit}, {"meaning", number.meaning}};
@@ -115,7 +116,7 @@ Json check_json(const Setup& setup, const PluginRegistry& registry, const CheckF
                  {"fields", setup.output_fields}};
   all["advice"] = advice_json(facts.advice);
   all["plugins"] = plugins_json(setup.source, registry);
-  return all;
+  return document(all);
 }
 
 }  // namespace mesogen::app
