@@ -3,7 +3,6 @@
 
 #include "diagnostics/resources.hpp"
 #include "room.hpp"
-#include "run_options.hpp"
 #include "verbs.hpp"
 
 namespace mesogen::app {
@@ -36,25 +35,21 @@ ExitCode branch(const Options& options) {
 
 }  // namespace
 
-void add_branch(CLI::App& command, Action& action) {
+void add_branch(Verb& command) {
   const auto options = std::make_shared<Options>();
-  auto* const verb = command.add_subcommand(
-      "branch", "Start a new run from a checkpoint of another, with other parameters; the other is only read");
-  verb->add_option("folder", options->folder, "Folder of the run to branch from")->type_name("DIR")->required();
-  verb->add_option("new", options->output, "Folder for the new run")->type_name("NEW")->required();
-  verb->add_option("--at", options->at,
-                   "Simulated time of the checkpoint (default: the newest); output.checkpoint_times and "
-                   "output.checkpoint_every keep some for this")
-      ->type_name("TIME");
-  verb->add_option("--set", options->changes,
-                   "Change a key of the case from there on; may be repeated. All may change but domain.size, "
-                   "particles, the initial conditions (director, velocity, colour) and which fields are advanced")
-      ->type_name("KEY=VALUE")
-      ->allow_extra_args(false);
-  verb->add_flag("--overwrite", options->overwrite, "Remove the run that NEW holds first");
-  add_plugin_path(*verb, options->plugin_folders);
-  add_running(*verb, options->running);
-  verb->callback([&action, options] { action = [options] { return branch(*options); }; });
+  Verb& verb = command.verb("branch", "Start a new run from a checkpoint of another, with other parameters",
+                            [options] { return branch(*options); });
+  verb.argument("DIR", &options->folder, "Folder of the run to branch from, which is only read");
+  verb.argument("NEW", &options->output, "Folder for the new run");
+  verb.option("--at", "TIME", &options->at,
+              "Simulated time of the checkpoint, in the case's unit of time (default: the newest); "
+              "output.checkpoint_times and output.checkpoint_every keep some for this");
+  verb.option("--set", "KEY=VALUE", &options->changes,
+              "Change a key of the case from there on; may be repeated. Not possible are domain.size, particles, the "
+              "initial conditions (director, velocity, colour) and other advanced fields");
+  verb.flag("--overwrite", &options->overwrite, "Remove the run that NEW holds first");
+  add_plugin_path(verb, options->plugin_folders);
+  add_running(verb, options->running);
 }
 
 }  // namespace mesogen::app

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "case/declared_sections.hpp"
+#include "json.hpp"
 #include "key_schema.hpp"
 
 namespace mesogen::app {
@@ -115,6 +116,6 @@ class SchemaBuilder {
 
 }  // namespace
 
-Json case_schema(const std::vector<PluginFacts>& plugins) { return SchemaBuilder(plugins).build(); }
+std::string case_schema(const std::vector<PluginFacts>& plugins) { return document(SchemaBuilder(plugins).build()); }
 
 }  // namespace mesogen::app

@@ -36,7 +36,7 @@ ExitCode check(const Options& options) {
   const CheckFacts facts = check_facts(*setup, !options.quick, program, set_up_with);
   for (const std::string& text : facts.warnings) fmt::print(stderr, "warning: {}\n", text);
   if (options.json) {
-    fmt::print("{}", document(check_json(*setup, registry, facts)));
+    fmt::print("{}", check_json(*setup, registry, facts));
   } else {
     fmt::print("{}{}\n", check_text(*setup, registry, facts), options.source.file + verdict(facts));
   }
@@ -47,18 +47,14 @@ ExitCode check(const Options& options) {
 
 }  // namespace
 
-void add_check(CLI::App& command, Action& action) {
+void add_check(Verb& command) {
   const auto options = std::make_shared<Options>();
-  auto* const verb = command.add_subcommand(
-      "check", "Check a case and tell what a run of it would be, from some of its steps; writes nothing");
-  add_case(*verb, options->source);
-  verb->add_option("--threads", options->running.threads,
-                   "Threads that the run will have (default: all cores, or OMP_NUM_THREADS)")
-      ->type_name("N")
-      ->check(CLI::Range(1, 4096));
-  verb->add_flag("--quick", options->quick, "Take no steps, and so predict no wall time");
-  verb->add_flag("--json", options->json, "For programs");
-  verb->callback([&action, options] { action = [options] { return check(*options); }; });
+  Verb& verb = command.verb("check", "Check a case and predict time, memory and disk of its run; writes nothing",
+                            [options] { return check(*options); });
+  add_case(verb, options->source);
+  add_threads(verb, options->running.threads);
+  verb.flag("--quick", &options->quick, "Take no steps, and so predict no wall time");
+  verb.flag("--json", &options->json, "Print JSON, for programs");
 }
 
 }  // namespace mesogen::app

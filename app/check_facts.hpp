@@ -9,7 +9,6 @@
 #include "forecast/room.hpp"
 #include "forecast/steps.hpp"
 #include "forecast/timing.hpp"
-#include "json.hpp"
 #include "plugin/registry.hpp"
 #include "simulation/setup.hpp"
 
@@ -48,6 +47,6 @@ CheckFacts check_facts(Setup& setup, bool timed, double program, const SetUpWith
 
 /// For people, and for programs.
 std::string check_text(const Setup& setup, const PluginRegistry& registry, const CheckFacts& facts);
-Json check_json(const Setup& setup, const PluginRegistry& registry, const CheckFacts& facts);
+std::string check_json(const Setup& setup, const PluginRegistry& registry, const CheckFacts& facts);
 
 }  // namespace mesogen::app

@@ -1,6 +1,7 @@
 #include <cmath>
 
 #include "check_facts.hpp"
+#include "json.hpp"
 
 namespace mesogen::app {
 
@@ -95,7 +96,7 @@ Json advice_json(const std::vector<AdviceFacts>& advice) {
 
 }  // namespace
 
-Json check_json(const Setup& setup, const PluginRegistry& registry, const CheckFacts& facts) {
+std::string check_json(const Setup& setup, const PluginRegistry& registry, const CheckFacts& facts) {
   Json numbers = Json::object();
   for (const SceneNumber& number : facts.numbers)
     numbers[number.name] = {{"value", number.value}, {"unit", number.unit}, {"meaning", number.meaning}};
@@ -116,7 +117,7 @@ Json check_json(const Setup& setup, const PluginRegistry& registry, const CheckF
                  {"fields", setup.output_fields}};
   all["advice"] = advice_json(facts.advice);
   all["plugins"] = plugins_json(setup.source, registry);
-  return all;
+  return document(all);
 }
 
 }  // namespace mesogen::app

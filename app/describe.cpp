@@ -31,30 +31,24 @@ ExitCode write(const Options& options, std::string (*text)(const std::vector<Plu
   return ExitCode::done;
 }
 
-ExitCode schema(const Options& options) {
-  return write(options, [](const std::vector<PluginFacts>& plugins) { return document(case_schema(plugins)); });
-}
+ExitCode schema(const Options& options) { return write(options, case_schema); }
 
 ExitCode reference(const Options& options) { return write(options, reference_text); }
 
-void add(CLI::App& command, Action& action, const std::string& name, const std::string& description,
-         ExitCode (*verb)(const Options&)) {
+void add(Verb& command, const std::string& word, const std::string& summary, ExitCode (*todo)(const Options&)) {
   const auto options = std::make_shared<Options>();
-  auto* const added = command.add_subcommand(name, description);
-  added->add_option("-o,--output", options->output, "File to write (default: print)")->type_name("FILE");
-  added->add_flag("--overwrite", options->overwrite, "Replace the file if it is there");
-  add_plugin_path(*added, options->folders);
-  added->callback([&action, options, verb] { action = [options, verb] { return verb(*options); }; });
+  Verb& verb = command.verb(word, summary, [options, todo] { return todo(*options); });
+  verb.option("--output", "FILE", &options->output, "File to write (default: print it)", {.letter = 'o'});
+  verb.flag("--overwrite", &options->overwrite, "Replace the file if it exists");
+  add_plugin_path(verb, options->folders);
 }
 
 }  // namespace
 
-void add_schema(CLI::App& command, Action& action) {
-  add(command, action, "schema", "JSON Schema of a case, for editors", schema);
-}
+void add_schema(Verb& command) { add(command, "schema", "Write the JSON Schema of a case, for editors", schema); }
 
-void add_reference(CLI::App& command, Action& action) {
-  add(command, action, "reference", "All keys of a case and all plugins, as a page of Markdown", reference);
+void add_reference(Verb& command) {
+  add(command, "reference", "Write a page of Markdown about all keys of a case and all plugins", reference);
 }
 
 }  // namespace mesogen::app

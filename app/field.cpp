@@ -47,14 +47,12 @@ ExitCode list(const CaseOptions& options) {
 
 }  // namespace
 
-void add_field(CLI::App& command, Action& action) {
-  auto* const field = command.add_subcommand("field", "Tell about the fields of a case");
-  field->require_subcommand(0, 1);
+void add_field(Verb& command) {
+  Verb& field = command.verb("field", "Tell about the fields of a case");
   const auto options = std::make_shared<CaseOptions>();
-  auto* const verb =
-      field->add_subcommand("list", "All fields of a case: rank, unit, who brings them, how they advance");
-  add_case(*verb, *options);
-  verb->callback([&action, options] { action = [options] { return list(*options); }; });
+  Verb& verb = field.verb("list", "List the fields of a case: rank, unit, plugin, how they advance",
+                          [options] { return list(*options); });
+  add_case(verb, *options);
 }
 
 }  // namespace mesogen::app

@@ -23,12 +23,12 @@ ExitCode graph(const Options& options) {
 
 }  // namespace
 
-void add_graph(CLI::App& command, Action& action) {
+void add_graph(Verb& command) {
   const auto options = std::make_shared<Options>();
-  auto* const verb = command.add_subcommand("graph", "The work of a step in its order, and what is left out");
-  add_case(*verb, options->source);
-  verb->add_flag("--dot", options->graphviz, "For Graphviz: mesogen graph CASE --dot | dot -Tsvg -o step.svg");
-  verb->callback([&action, options] { action = [options] { return graph(*options); }; });
+  Verb& verb = command.verb("graph", "Print the passes of a step in their order, and those left out",
+                            [options] { return graph(*options); });
+  add_case(verb, options->source);
+  verb.flag("--dot", &options->graphviz, "Print Graphviz: mesogen graph CASE --dot | dot -Tsvg -o step.svg");
 }
 
 }  // namespace mesogen::app

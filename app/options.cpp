@@ -3,29 +3,27 @@
 #include <fmt/format.h>
 #include <omp.h>
 
+#include "interrupt.hpp"
 #include "plugin/crash.hpp"
 
 namespace mesogen::app {
 
-void add_plugin_path(CLI::App& verb, PluginFolders& folders) {
-  verb.add_option("--plugin-path", folders, "Folder searched for plugins before all others; may be repeated")
-      ->type_name("DIR")
-      ->allow_extra_args(false);
+void add_plugin_path(Verb& verb, PluginFolders& folders) {
+  verb.option("--plugin-path", "DIR", &folders,
+              "Folder searched for plugins before those of MESOGEN_PLUGIN_PATH and those installed; may be repeated");
 }
 
 PluginRegistry load_plugins(const PluginFolders& folders, bool quiet, Twins twins) {
-  auto registry = PluginRegistry::scan(folders, twins);
+  auto registry = PluginRegistry::scan({folders.begin(), folders.end()}, twins);
   if (!quiet)
     for (const auto& line : registry.refusals()) fmt::print(stderr, "warning: plugin refused: {}\n", line);
   return registry;
 }
 
-void add_case(CLI::App& verb, CaseOptions& options) {
-  verb.add_option("case", options.file, "Case file (TOML)")->type_name("CASE")->required();
-  verb.add_option("--set", options.overrides,
-                  "Change a key of the case, such as physics.activity.activity=0.05; may be repeated")
-      ->type_name("KEY=VALUE")
-      ->allow_extra_args(false);
+void add_case(Verb& verb, CaseOptions& options) {
+  verb.argument("CASE", &options.file, "Case file (TOML), for example cases/quickstart/case.toml");
+  verb.option("--set", "KEY=VALUE", &options.overrides,
+              "Change a key of the case, for example physics.activity.activity=0.05; may be repeated");
   add_plugin_path(verb, options.plugin_folders);
 }
 
@@ -43,20 +41,30 @@ std::unique_ptr<Setup> set_up(const CaseOptions& options, const PluginRegistry& 
   return mesogen::set_up(std::move(source), registry, problems);
 }
 
-void add_threads(CLI::App& verb, RunningOptions& options) {
-  verb.add_option("--threads", options.threads, "Threads to compute with (default: all cores, or OMP_NUM_THREADS)")
-      ->type_name("N")
-      ->check(CLI::Range(1, 4096));
-  verb.add_flag("--quiet", options.quiet, "Only warnings and errors, no progress");
+void add_threads(Verb& verb, int& threads) {
+  verb.option("--threads", "N", &threads,
+              "Number of threads, 1 to 4096 (default: OMP_NUM_THREADS, or as many as there are cores)",
+              {.lowest = 1, .highest = 4096});
 }
 
-void add_running(CLI::App& verb, RunningOptions& options) {
-  add_threads(verb, options);
-  verb.add_flag("--profile", options.profile, "Tell at the end where the time went");
-  verb.add_option(
-          "--trace", options.trace,
-          "Write when each pass, sample, frame and checkpoint ran: JSON that Perfetto and chrome://tracing open")
-      ->type_name("FILE");
+void add_quiet(Verb& verb, bool& quiet) { verb.flag("--quiet", &quiet, "Print warnings and errors only, no progress"); }
+
+void add_running(Verb& verb, RunningOptions& options) {
+  add_threads(verb, options.threads);
+  add_quiet(verb, options.quiet);
+  verb.flag("--profile", &options.profile, "Print at the end how much time each pass took");
+  verb.option("--trace", "FILE", &options.trace,
+              "File for the time of each pass, sample, frame and checkpoint: JSON for Perfetto or chrome://tracing "
+              "(default: none)");
+}
+
+RunOptions run_options(const RunningOptions& options, const std::filesystem::path& folder) {
+  RunOptions run;
+  run.folder = folder;
+  run.profile = options.profile;
+  run.trace = options.trace;
+  run.stop = &stop_on_signal();
+  return run;
 }
 
 void use_threads(const RunningOptions& options) {

@@ -1,20 +1,20 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
-#include <filesystem>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "case/case.hpp"
+#include "command_line/verb.hpp"
 #include "plugin/registry.hpp"
-#include "simulation/setup.hpp"
+#include "simulation/run.hpp"
 
 namespace mesogen::app {
 
 /// Where plugins are looked for, beside the usual places.
-using PluginFolders = std::vector<std::filesystem::path>;
+using PluginFolders = std::vector<std::string>;
 
-void add_plugin_path(CLI::App& verb, PluginFolders& folders);
+void add_plugin_path(Verb& verb, PluginFolders& folders);
 
 /// Loads the plugins; tells on stderr which files were refused, unless `quiet`.
 PluginRegistry load_plugins(const PluginFolders& folders, bool quiet = false, Twins twins = Twins::refused);
@@ -26,7 +26,7 @@ struct CaseOptions {
   PluginFolders plugin_folders;
 };
 
-void add_case(CLI::App& verb, CaseOptions& options);
+void add_case(Verb& verb, CaseOptions& options);
 
 /// The case, if nothing is wrong with it so far. Otherwise throws an Error with all that is wrong, including what only
 /// its plugins know.
@@ -43,9 +43,11 @@ struct RunningOptions {
   std::string trace;  ///< empty: none
 };
 
-void add_running(CLI::App& verb, RunningOptions& options);
-/// --threads and --quiet alone.
-void add_threads(CLI::App& verb, RunningOptions& options);
+void add_running(Verb& verb, RunningOptions& options);
+void add_threads(Verb& verb, int& threads);
+void add_quiet(Verb& verb, bool& quiet);
+/// Of a run in this folder, new or resumed; a signal stops it.
+RunOptions run_options(const RunningOptions& options, const std::filesystem::path& folder);
 void use_threads(const RunningOptions& options);
 
 }  // namespace mesogen::app

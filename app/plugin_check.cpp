@@ -4,7 +4,7 @@
 #include <memory>
 #include <optional>
 
-#include "case/nearest.hpp"
+#include "command_line/parse.hpp"
 #include "mesogen/testing/contract.hpp"
 #include "options.hpp"
 #include "plugin/instruction_set.hpp"
@@ -21,7 +21,7 @@ struct Options {
   std::vector<std::string> values;
   std::vector<std::string> constants;
   PluginFolders folders;
-  unsigned seconds = 200;
+  int seconds = 200;
 };
 
 /// KEY=VALUE
@@ -40,12 +40,11 @@ testing::ContractSettings settings_of(const Options& options) {
   }
   for (const auto& text : options.constants) {
     const auto [name, value] = pair_of("--constant", text);
-    double number = 0.0;
-    if (!CLI::detail::lexical_cast(value, number))
-      throw Error(ExitCode::bad_case, fmt::format("--constant {}: {} is no number", text, value));
-    settings.constants.insert_or_assign(name, number);
+    const auto number = app::number(value);
+    if (!number) throw Error(ExitCode::bad_case, fmt::format("--constant {}: {} is no number", text, value));
+    settings.constants.insert_or_assign(name, *number);
   }
-  for (const auto& folder : options.folders) settings.folders += folder.string() + ":";
+  for (const auto& folder : options.folders) settings.folders += folder + ":";
   return settings;
 }
 
@@ -59,28 +58,24 @@ bool is_loaded_for(const fs::path& loaded, const fs::path& file) {
 std::vector<const LoadedPlugin*> chosen(const PluginRegistry& registry, const Options& options,
                                         const std::optional<fs::path>& file) {
   std::vector<const LoadedPlugin*> plugins;
-  std::vector<std::string> names;
-  for (const auto& plugin : registry.all()) {
-    names.emplace_back(plugin.descriptor->name);
-    if (file ? is_loaded_for(plugin.file, *file) : names.back() == options.plugin) plugins.push_back(&plugin);
-  }
+  for (const auto& plugin : registry.all())
+    if (file ? is_loaded_for(plugin.file, *file) : plugin.descriptor->name == options.plugin)
+      plugins.push_back(&plugin);
   if (!plugins.empty()) return plugins;
+  if (!file) throw registry.missing(options.plugin);
   for (const auto& refused : registry.refused())
-    if (file ? is_loaded_for(refused.file, *file) : refused.file.stem() == options.plugin)
+    if (is_loaded_for(refused.file, *file))
       throw Error(ExitCode::plugin_refused, fmt::format("the plugin \"{}\" was refused: {}: {}", options.plugin,
                                                         refused.file.string(), refused.reason));
-  if (file)
-    throw Error(ExitCode::bad_case,
-                fmt::format("{} is no plugin: Mesogen loads libraries whose names end in .so", options.plugin));
   throw Error(ExitCode::bad_case,
-              fmt::format("no plugin is called \"{}\"{}; `mesogen plugin list` tells which there are", options.plugin,
-                          did_you_mean(options.plugin, names)));
+              fmt::format("{} is no plugin: Mesogen loads libraries whose names end in .so", options.plugin));
 }
 
-bool report(const LoadedPlugin& plugin, const testing::ContractSettings& settings, unsigned seconds) {
+bool report(const LoadedPlugin& plugin, const testing::ContractSettings& settings, int seconds) {
   using Outcome = testing::ContractCheck::Outcome;
   const auto& descriptor = *plugin.descriptor;
-  const auto checks = testing::check_contract_apart(descriptor.kind, descriptor.name, settings, seconds);
+  const auto checks =
+      testing::check_contract_apart(descriptor.kind, descriptor.name, settings, static_cast<unsigned>(seconds));
   fmt::print("{} {} {}: {}\n", to_string(descriptor.kind), descriptor.name, descriptor.version, plugin.file.string());
   std::size_t broken = 0;
   for (const auto& check : checks) {
@@ -100,7 +95,7 @@ ExitCode check(Options options) {
     if (!fs::is_regular_file(*file))
       throw Error(ExitCode::bad_case, fmt::format("there is no plugin file {}", options.plugin));
     // First, so that the file goes before a twin that was installed.
-    options.folders.insert(options.folders.begin(), file->parent_path());
+    options.folders.insert(options.folders.begin(), file->parent_path().string());
   }
   const auto registry = load_plugins(options.folders, true, file ? Twins::first_folder : Twins::refused);
   const auto settings = settings_of(options);
@@ -111,24 +106,19 @@ ExitCode check(Options options) {
 
 }  // namespace
 
-void add_plugin_check(CLI::App& plugin, Action& action) {
+void add_plugin_check(Verb& plugin) {
   const auto options = std::make_shared<Options>();
-  auto* const verb =
-      plugin.add_subcommand("check", "Check that a plugin holds what every plugin of its kind must hold");
-  verb->add_option("plugin", options->plugin, "Name of a plugin, or its file")->type_name("NAME|FILE")->required();
-  verb->add_option("--set", options->values,
-                   "A parameter of the plugin; required ones that are not given are taken from their range")
-      ->type_name("KEY=VALUE")
-      ->allow_extra_args(false);
-  verb->add_option("--constant", options->constants, "A number that another plugin of a case would publish")
-      ->type_name("NAME=NUMBER")
-      ->allow_extra_args(false);
-  verb->add_option("--time-limit", options->seconds,
-                   "Seconds that one check may take; it fails if the plugin is not back by then (default: 200)")
-      ->type_name("SECONDS")
-      ->check(CLI::Range(1, 86400));
-  add_plugin_path(*verb, options->folders);
-  verb->callback([&action, options] { action = [options] { return check(*options); }; });
+  Verb& verb = plugin.verb("check", "Check that a plugin does what every plugin of its kind must do",
+                           [options] { return check(*options); });
+  verb.argument("PLUGIN", &options->plugin, "Name of a plugin, or its file (.so)");
+  verb.option("--set", "KEY=VALUE", &options->values,
+              "A parameter of the plugin; may be repeated (default: the plugin's own, or a value in its range)");
+  verb.option("--constant", "NAME=NUMBER", &options->constants,
+              "A number that another plugin of a case would publish; may be repeated");
+  verb.option("--time-limit", "SECONDS", &options->seconds,
+              "Wall time that one check may take before it fails, in s, 1 to 86400 (default: 200)",
+              {.lowest = 1, .highest = 86400});
+  add_plugin_path(verb, options->folders);
 }
 
 }  // namespace mesogen::app

@@ -1,5 +1,6 @@
 #include "plugin_json.hpp"
 
+#include "json.hpp"
 #include "key_schema.hpp"
 
 namespace mesogen::app {
@@ -66,9 +67,7 @@ Json quantities_json(const PluginFacts& plugin) {
   return all;
 }
 
-}  // namespace
-
-Json info_json(const PluginFacts& plugin) {
+Json plugin_json(const PluginFacts& plugin) {
   Json one = {{"kind", to_string(plugin.kind)},
               {"name", plugin.name},
               {"version", plugin.version},
@@ -95,6 +94,29 @@ Json info_json(const PluginFacts& plugin) {
     one["quantities"] = quantities_json(plugin);
   }
   return one;
+}
+
+}  // namespace
+
+std::string list_json(const PluginRegistry& registry) {
+  Json plugins = Json::array();
+  for (const auto& [descriptor, file, instruction_set] : registry.all())
+    plugins.push_back({{"kind", to_string(descriptor->kind)},
+                       {"name", descriptor->name},
+                       {"version", descriptor->version},
+                       {"summary", descriptor->summary},
+                       {"file", file.string()},
+                       {"instruction_set", instruction_set}});
+  Json refused = Json::array();
+  for (const auto& [file, reason] : registry.refused())
+    refused.push_back({{"file", file.string()}, {"reason", reason}});
+  return document({{"plugins", plugins}, {"refused", refused}});
+}
+
+std::string info_json(const std::vector<PluginFacts>& plugins) {
+  Json all = Json::array();
+  for (const auto& plugin : plugins) all.push_back(plugin_json(plugin));
+  return document({{"plugins", all}});
 }
 
 }  // namespace mesogen::app

@@ -1,11 +1,14 @@
 #pragma once
 
-#include "json.hpp"
+#include <string>
+#include <vector>
+
 #include "plugin_facts.hpp"
 
 namespace mesogen::app {
 
-/// A plugin for programs: what `plugin info --json` prints of each.
-Json info_json(const PluginFacts& facts);
+/// For programs: what `plugin list --json` prints, and `plugin info --json`.
+std::string list_json(const PluginRegistry& registry);
+std::string info_json(const std::vector<PluginFacts>& plugins);
 
 }  // namespace mesogen::app

@@ -134,15 +134,13 @@ ExitCode write_new(const Options& options) {
 
 }  // namespace
 
-void add_plugin_new(CLI::App& plugin, Action& action) {
+void add_plugin_new(Verb& plugin) {
   const auto options = std::make_shared<Options>();
-  auto* const verb = plugin.add_subcommand("new", "Write a plugin of your own to start from, with its test");
-  verb->add_option("kind", options->kind, "kernel, boundary, initial, physics or observer")
-      ->type_name("KIND")
-      ->required();
-  verb->add_option("name", options->name, "Name of the plugin, such as my_force")->type_name("NAME")->required();
-  verb->add_option("folder", options->folder, "Folder to write it to (default: NAME)")->type_name("DIR");
-  verb->callback([&action, options] { action = [options] { return write_new(*options); }; });
+  Verb& verb = plugin.verb("new", "Write a plugin of your own to start from, with its test",
+                           [options] { return write_new(*options); });
+  verb.argument("KIND", &options->kind, "kernel, boundary, initial, physics or observer");
+  verb.argument("NAME", &options->name, "Name of the plugin, for example my_force");
+  verb.argument("DIR", &options->folder, "Folder to write it to (default: NAME)", {.required = false});
 }
 
 }  // namespace mesogen::app

@@ -44,14 +44,20 @@ std::filesystem::path package_folder() {
 
 }  // namespace
 
-void hand_over(const std::string& verb, const std::string& module, const std::vector<std::string>& arguments) {
+Forwarded with_this_mesogen() {
+  return {{"--mesogen=" + std::filesystem::read_symlink("/proc/self/exe").string()}, {}};
+}
+
+ExitCode hand_over(const std::string& verb, const std::string& module, const Forwarded& given) {
   const char* before = std::getenv("PYTHONPATH");
   std::string path = package_folder().string();
   if (before != nullptr && *before != '\0') path += std::string(":") + before;
   if (setenv("PYTHONPATH", path.c_str(), 1) != 0) throw std::bad_alloc();
 
   std::vector<std::string> words{python, "-c", program, verb, module};
-  words.insert(words.end(), arguments.begin(), arguments.end());
+  words.insert(words.end(), given.options.begin(), given.options.end());
+  words.emplace_back("--");
+  words.insert(words.end(), given.arguments.begin(), given.arguments.end());
   std::vector<char*> pointers;
   for (auto& word : words) pointers.push_back(word.data());
   pointers.push_back(nullptr);

@@ -52,16 +52,13 @@ ExitCode list(const Options& options) {
 
 }  // namespace
 
-void add_quantity(CLI::App& command, Action& action) {
-  auto* const quantity =
-      command.add_subcommand("quantity", "Tell about the quantities that the observers of a case record");
-  quantity->require_subcommand(0, 1);
+void add_quantity(Verb& command) {
+  Verb& quantity = command.verb("quantity", "Tell about the quantities that the observers of a case record");
   const auto options = std::make_shared<Options>();
-  auto* const verb = quantity->add_subcommand(
-      "list", "All quantities of a case, as OBSERVER.QUANTITY: form of a sample, unit, meaning; runs nothing");
-  add_case(*verb, options->source);
-  verb->add_flag("--json", options->json, "For programs; columns: numbers in a row of a table, 0 for a single number");
-  verb->callback([&action, options] { action = [options] { return list(*options); }; });
+  Verb& verb = quantity.verb("list", "List them as OBSERVER.QUANTITY: form of a sample, unit, meaning; runs nothing",
+                             [options] { return list(*options); });
+  add_case(verb, options->source);
+  verb.flag("--json", &options->json, "Print JSON, for programs; columns: numbers in a row, 0 for a single number");
 }
 
 }  // namespace mesogen::app

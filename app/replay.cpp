@@ -32,22 +32,20 @@ ExitCode replay(const Options& options) {
 
 }  // namespace
 
-void add_replay(CLI::App& command, Action& action) {
+void add_replay(Verb& command) {
   const auto options = std::make_shared<Options>();
-  auto* const verb = command.add_subcommand("replay", "Run observers, also new ones, over the stored frames of a run");
-  verb->add_option("folder", options->folder, "Folder of the run")->type_name("DIR")->required();
-  verb->add_option("case", options->observers.file,
-                   "Case file whose [observers.*] are used, and nothing else of it (default: those of the run)")
-      ->type_name("CASE");
-  verb->add_option("-o,--output", options->output, "File for the samples (default: DIR/replay.h5)")->type_name("FILE");
-  verb->add_flag("--overwrite", options->overwrite, "Replace the file for the samples if it is there");
-  verb->add_option("--set", options->observers.overrides,
-                   "Change a key of an observer, such as observers.paths.count=8; may be repeated")
-      ->type_name("KEY=VALUE")
-      ->allow_extra_args(false);
-  add_plugin_path(*verb, options->observers.plugin_folders);
-  add_threads(*verb, options->running);
-  verb->callback([&action, options] { action = [options] { return replay(*options); }; });
+  Verb& verb = command.verb("replay", "Run observers, also new ones, over the stored frames of a run",
+                            [options] { return replay(*options); });
+  verb.argument("DIR", &options->folder, "Folder of the run");
+  verb.argument("CASE", &options->observers.file,
+                "Case file of which only [observers.*] is used (default: the case of the run)", {.required = false});
+  verb.option("--output", "FILE", &options->output, "File for the samples (default: DIR/replay.h5)", {.letter = 'o'});
+  verb.flag("--overwrite", &options->overwrite, "Replace the file for the samples if it exists");
+  verb.option("--set", "KEY=VALUE", &options->observers.overrides,
+              "Change a key of an observer, for example observers.paths.count=8; may be repeated");
+  add_plugin_path(verb, options->observers.plugin_folders);
+  add_threads(verb, options->running.threads);
+  add_quiet(verb, options->running.quiet);
 }
 
 }  // namespace mesogen::app

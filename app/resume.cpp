@@ -6,7 +6,6 @@
 
 #include "diagnostics/resources.hpp"
 #include "room.hpp"
-#include "run_options.hpp"
 #include "simulation/resume_rules.hpp"
 #include "verbs.hpp"
 
@@ -36,19 +35,18 @@ ExitCode resume(const Options& options) {
 
 }  // namespace
 
-void add_resume(CLI::App& command, Action& action) {
+void add_resume(Verb& command) {
   const auto options = std::make_shared<Options>();
-  auto* const verb = command.add_subcommand("resume", "Continue a run from its newest checkpoint, or extend it");
-  verb->add_option("folder", options->folder, "Folder of the run")->type_name("DIR")->required();
-  verb->add_option("--set", options->changes,
-                   fmt::format("Change a key of the case: time.end=20 extends the run. May be repeated. Only keys that "
-                               "leave the past as it is: {}; `mesogen branch` changes others",
-                               fmt::join(resumable_keys(), ", ")))
-      ->type_name("KEY=VALUE")
-      ->allow_extra_args(false);
-  add_plugin_path(*verb, options->plugin_folders);
-  add_running(*verb, options->running);
-  verb->callback([&action, options] { action = [options] { return resume(*options); }; });
+  Verb& verb = command.verb("resume", "Continue a run from its newest checkpoint, or extend it",
+                            [options] { return resume(*options); });
+  verb.argument("DIR", &options->folder, "Folder of the run");
+  verb.option(
+      "--set", "KEY=VALUE", &options->changes,
+      fmt::format("Change a key of the case; may be repeated. time.end=20 extends the run. Possible are keys that "
+                  "do not change the past: {}; `mesogen branch` changes others",
+                  fmt::join(resumable_keys(), ", ")));
+  add_plugin_path(verb, options->plugin_folders);
+  add_running(verb, options->running);
 }
 
 }  // namespace mesogen::app

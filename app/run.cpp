@@ -5,7 +5,6 @@
 
 #include "diagnostics/resources.hpp"
 #include "room.hpp"
-#include "run_options.hpp"
 #include "verbs.hpp"
 
 namespace mesogen::app {
@@ -58,15 +57,14 @@ ExitCode run(const Options& options) {
 
 }  // namespace
 
-void add_run(CLI::App& command, Action& action) {
+void add_run(Verb& command) {
   const auto options = std::make_shared<Options>();
-  auto* const verb = command.add_subcommand("run", "Run a case");
-  add_case(*verb, options->source);
-  verb->add_option("-o,--output", options->output, "Folder for the results (default: output/<name of the case>)")
-      ->type_name("DIR");
-  verb->add_flag("--overwrite", options->overwrite, "Remove the run that the folder holds first");
-  add_running(*verb, options->running);
-  verb->callback([&action, options] { action = [options] { return run(*options); }; });
+  Verb& verb = command.verb("run", "Run a case", [options] { return run(*options); });
+  add_case(verb, options->source);
+  verb.option("--output", "DIR", &options->output, "Folder for the results (default: output/<name of the case>)",
+              {.letter = 'o'});
+  verb.flag("--overwrite", &options->overwrite, "Remove the run that the folder holds first");
+  add_running(verb, options->running);
 }
 
 }  // namespace mesogen::app

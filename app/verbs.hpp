@@ -1,32 +1,26 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
-#include <functional>
+#include "command_line/verb.hpp"
 
-#include "mesogen/diagnostics/error.hpp"
-
-/// The verbs of the command, one file each. Every function adds its verb with its options; `action` becomes what is to
-/// be done if the user chose it.
+/// The verbs of the command, one file each. Every function adds its verb, with its options and what it does.
 namespace mesogen::app {
 
-using Action = std::function<ExitCode()>;
-
-void add_run(CLI::App& command, Action& action);
-void add_resume(CLI::App& command, Action& action);
-void add_branch(CLI::App& command, Action& action);
-void add_replay(CLI::App& command, Action& action);
-void add_check(CLI::App& command, Action& action);
-void add_graph(CLI::App& command, Action& action);
-void add_plugin(CLI::App& command, Action& action);
-void add_plugin_new(CLI::App& plugin, Action& action);
-void add_plugin_check(CLI::App& plugin, Action& action);
-void add_field(CLI::App& command, Action& action);
-void add_quantity(CLI::App& command, Action& action);
-void add_schema(CLI::App& command, Action& action);
-void add_reference(CLI::App& command, Action& action);
-void add_report(CLI::App& command, Action& action);
-void add_chart(CLI::App& command, Action& action);
-void add_sweep(CLI::App& command, Action& action);
-void add_study(CLI::App& command, Action& action);
+void add_run(Verb& command);
+void add_resume(Verb& command);
+void add_branch(Verb& command);
+void add_replay(Verb& command);
+void add_check(Verb& command);
+void add_graph(Verb& command);
+void add_plugin(Verb& command);
+void add_plugin_new(Verb& plugin);
+void add_plugin_check(Verb& plugin);
+void add_field(Verb& command);
+void add_quantity(Verb& command);
+void add_schema(Verb& command);
+void add_reference(Verb& command);
+void add_report(Verb& command);
+void add_chart(Verb& command);
+void add_sweep(Verb& command);
+void add_study(Verb& command);
 
 }  // namespace mesogen::app

@@ -155,6 +155,22 @@ void apply_override(Value& root, const std::string& text, Problems& problems) {
     problems.add(place, key, "cannot be set, since " + obstacle + " is no table");
 }
 
+namespace {
+
+/// The file of a folder that is most likely its case: case.toml, or the only TOML file; empty if there is none.
+std::string case_file_in(const std::filesystem::path& folder) {
+  std::vector<std::filesystem::path> files;
+  std::error_code ignored;
+  for (std::filesystem::directory_iterator entry(folder, ignored), end; !ignored && entry != end;
+       entry.increment(ignored)) {
+    if (entry->path().filename() == "case.toml") return entry->path().string();
+    if (entry->path().extension() == ".toml") files.push_back(entry->path());
+  }
+  return files.size() == 1 ? files.front().string() : "";
+}
+
+}  // namespace
+
 std::string read_text_file(const std::string& path, Problems& problems) {
   constexpr std::size_t most_bytes = std::size_t{4} << 20U;
   const auto refuse = [&](const std::string& why) {
@@ -163,9 +179,8 @@ std::string read_text_file(const std::string& path, Problems& problems) {
   };
   std::error_code ignored;
   if (std::filesystem::is_directory(path, ignored)) {
-    const auto inside = std::filesystem::path(path) / "case.toml";
-    const bool is_there = std::filesystem::is_regular_file(inside, ignored);
-    return refuse("cannot be read as a case: it is a folder" + (is_there ? "; take " + inside.string() : ""));
+    const std::string inside = case_file_in(path);
+    return refuse("cannot be read as a case: it is a folder; give " + (inside.empty() ? "a file (TOML)" : inside));
   }
   errno = 0;
   std::ifstream file(path, std::ios::binary);

@@ -147,18 +147,31 @@ std::vector<std::string> PluginRegistry::refusals() const {
 }
 
 Error PluginRegistry::missing(PluginKind kind, std::string_view name) const {
+  const auto known = names(kind);
+  return missing(fmt::format("{} plugin", to_string(kind)), name, known,
+                 fmt::format("there are: {}", fmt::join(known, ", ")));
+}
+
+Error PluginRegistry::missing(std::string_view name) const {
+  std::vector<std::string> known;
+  for (const auto& plugin : plugins_) known.emplace_back(plugin.descriptor->name);
+  return missing("plugin", name, known, "see `mesogen plugin list`");
+}
+
+Error PluginRegistry::missing(std::string_view what, std::string_view name, const std::vector<std::string>& known,
+                              std::string_view all) const {
+  constexpr std::string_view own_plugins =
+      "a plugin of your own is found with --plugin-path DIR or MESOGEN_PLUGIN_PATH=DIR, DIR being its folder "
+      "build/plugins";
   for (const auto& refused : refused_)
     if (refused.file.stem() == name)
-      return {ExitCode::plugin_refused, fmt::format("the {} plugin \"{}\" was refused: {}: {}", to_string(kind), name,
-                                                    refused.file.string(), refused.reason)};
-  const auto known = names(kind);
+      return {ExitCode::plugin_refused,
+              fmt::format("the {} \"{}\" was refused: {}: {}", what, name, refused.file.string(), refused.reason)};
   if (known.empty())
     return {ExitCode::bad_case,
-            fmt::format("there is no {} plugin at all; looked in: {}", to_string(kind), fmt::join(paths(), ", "))};
-  return {ExitCode::bad_case, fmt::format("no {} plugin is called \"{}\" (there are: {}){}; a plugin of your own "
-                                          "is found with --plugin-path DIR or MESOGEN_PLUGIN_PATH=DIR, DIR being its "
-                                          "folder build/plugins",
-                                          to_string(kind), name, fmt::join(known, ", "), did_you_mean(name, known))};
+            fmt::format("there is no {} at all; looked in: {}; {}", what, fmt::join(paths(), ", "), own_plugins)};
+  return {ExitCode::bad_case,
+          fmt::format("no {} is called \"{}\" ({}){}; {}", what, name, all, did_you_mean(name, known), own_plugins)};
 }
 
 std::vector<std::string> PluginRegistry::paths() const {

@@ -64,9 +64,11 @@ class MESOGEN_EXPORT PluginRegistry {
   /// Each as one line: file and reason.
   [[nodiscard]] std::vector<std::string> refusals() const;
 
-  /// Why there is no such plugin: plugin_refused if a file of that name was refused, bad_case otherwise ("no kernel is
-  /// called "quintik"; did you mean "quintic"? There are: quintic, ..."). For a case, put its place before what().
+  /// Why there is no such plugin: plugin_refused if a file of that name was refused, bad_case otherwise, with the
+  /// nearest name and how a plugin of one's own is found. For a case, put its place before what().
   [[nodiscard]] Error missing(PluginKind kind, std::string_view name) const;
+  /// The same for a plugin of any kind.
+  [[nodiscard]] Error missing(std::string_view name) const;
 
   /// A new object each. Throw missing(), and Error if the plugin has no form for this precision and dimension.
   [[nodiscard]] PluginPointer<Kernel> make_kernel(std::string_view name) const;
@@ -85,6 +87,8 @@ class MESOGEN_EXPORT PluginRegistry {
 
  private:
   [[nodiscard]] std::vector<std::string> paths() const;
+  [[nodiscard]] Error missing(std::string_view what, std::string_view name, const std::vector<std::string>& known,
+                              std::string_view all) const;
   void add_folder(const std::filesystem::path& folder);
   void add_file(const std::filesystem::path& file);
   void sort();

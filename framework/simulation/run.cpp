@@ -107,6 +107,7 @@ class Run {
   ExitCode begin(ResultsWriter results) {
     observation_.declare(results);
     observation_.observe(everybody(), results);
+    log_.info(fmt::format("results go to {}", options_.folder.string()));
     log_beginning(log_, setup_, stepper_.next_step(marks_, end()));
     return go_on(results);
   }

@@ -12,8 +12,9 @@ namespace mesogen {
 void log_beginning(Log& log, const Setup& setup, const Stepper::Step& first) {
   const char* const precision =
       setup.scene.precision == Precision::single_precision ? "single precision" : "double precision";
-  log.info(fmt::format("{} particles, {} threads, {}, first step {} (limit: {})", setup.scene.particle_count,
-                       omp_get_max_threads(), precision, time_text(first.seconds, setup.source.units), first.limit));
+  const int threads = omp_get_max_threads();
+  log.info(fmt::format("{} particles, {} thread{}, {}, first step {} (limit: {})", setup.scene.particle_count, threads,
+                       threads == 1 ? "" : "s", precision, time_text(first.seconds, setup.source.units), first.limit));
   if (const std::string fitted = fitted_spacing_text(setup.source); !fitted.empty())
     log.info("particles.spacing is " + rounded_text(setup.scene.spacing) + " " + setup.source.units.length + ": " +
              fitted);

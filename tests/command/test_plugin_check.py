@@ -133,7 +133,7 @@ class PluginCheck(CommandTest):
 
     def test_wrong_arguments(self):
         for arguments, message in (
-                (["quintik"], 'no plugin is called "quintik"; did you mean "quintic"?; `mesogen plugin list` tells'),
+                (["quintik"], 'no plugin is called "quintik" (see `mesogen plugin list`); did you mean "quintic"?; a '),
                 (["nowhere/quintic.so"], "there is no plugin file nowhere/quintic.so"),
                 (["friction", "--set", "coefficient"], "--set coefficient: must be KEY=VALUE"),
                 (["friction", "--constant", "density=much"], "--constant density=much: much is no number"),

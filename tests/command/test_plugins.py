@@ -125,7 +125,7 @@ class Plugins(CommandTest):
     def test_info_of_an_unknown_plugin(self):
         _, err = self.mesogen("plugin", "info", "quintik", code=2)
         self.assertIn('no plugin is called "quintik"', err)
-        self.assertIn('did you mean "quintic"?', err)
+        self.assertIn('did you mean "quintic"?; a plugin of your own is found with --plugin-path DIR', err)
 
     def test_refused_plugin_is_told_and_the_others_still_work(self):
         out, err = self.mesogen("plugin", "list", "--plugin-path", os.path.join(BROKEN_PLUGINS, "wrong_abi"))

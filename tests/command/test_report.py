@@ -25,7 +25,7 @@ class Report(CommandTest):
         names = sorted(name for name in os.listdir(self.path("pictures")) if name.startswith("director"))
         self.assertEqual(names, ["director_000001.png", "director_000002.png"])
         _, err = self.mesogen("report", "out", "--frame", "1", "--frames", "0:1", code=2)
-        self.assertIn("--frame excludes --frames", err)
+        self.assertIn("mesogen report: --frame excludes --frames: give one of them", err)
         _, err = self.mesogen("report", "out", "--frames", "0-1", code=2)
         self.assertIn("'0-1' must be A:B, such as 10:20, 10: or :-5", err)
 

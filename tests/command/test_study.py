@@ -182,7 +182,7 @@ class Study(CommandTest):
         self.assertIn("has no section 'spead'; did you mean 'speed'?", self.study("--only", "spead", code=2)[1])
         self.write_case(SWEEP.replace("activity.activity", "activity.activty"), os.path.join("small", "activity.toml"))
         self.assertIn("activty", self.study(code=2)[1])
-        self.assertIn("excludes", self.study("--quick", "--full", code=2)[1])
+        self.assertIn("--quick excludes --full: give one of them", self.study("--quick", "--full", code=2)[1])
 
 
 if __name__ == "__main__":

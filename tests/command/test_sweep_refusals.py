@@ -12,7 +12,7 @@ class Refusals(SweepTest):
         _, err = self.mesogen("sweep", "nothing.toml", code=2)
         self.assertEqual(err, "error: nothing.toml: the sweep cannot be read: No such file or directory\n")
         _, err = self.mesogen("sweep", code=2)
-        self.assertIn("sweep is required", err)
+        self.assertIn("mesogen sweep: SWEEP is missing", err)
         self.assertTrue(self.refusal("title = ").startswith("error: sweep.toml: the sweep is not TOML: "))
 
     def test_no_case(self):

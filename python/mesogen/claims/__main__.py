@@ -43,7 +43,8 @@ def main(arguments=None):
     parser = argparse.ArgumentParser(prog="mesogen study", description="Runs a study and reports which claims hold.")
     parser.add_argument("study", metavar="FOLDER", help="folder of a study")
     parser.add_argument("-o", "--output", metavar="DIR", help="folder for runs and report")
-    parser.add_argument("--only", metavar="SECTION", action="append", default=[], help="this section alone, as a page of its own")
+    parser.add_argument("--only", metavar="SECTION", type=lambda names: names.split(","), action="extend", default=[],
+                        help="these sections alone, as a page of their own")
     parser.add_argument("--parallel", metavar="N", type=_count, help="runs at a time")
     modes = parser.add_mutually_exclusive_group()
     modes.add_argument("--quick", action="store_true", help="small boxes and short spans")

@@ -55,7 +55,8 @@ def main(arguments=None):
     parser = argparse.ArgumentParser(prog="mesogen chart", description="Runs a study and charts it.")
     parser.add_argument("study", metavar="STUDY", help="study file (TOML)")
     parser.add_argument("-o", "--output", metavar="DIR", help="folder for what comes out")
-    parser.add_argument("--only", metavar="VARIANT", action="append", default=[], help="this variant alone")
+    parser.add_argument("--only", metavar="VARIANT", type=lambda names: names.split(","), action="extend", default=[],
+                        help="these variants alone")
     parser.add_argument("--list", action="store_true", help="list the runs; runs nothing")
     parser.add_argument("--draw-only", action="store_true", help="run nothing: tables and charts of what is there")
     parser.add_argument("--quiet", action="store_true", help="no progress")

@@ -142,20 +142,30 @@ TEST(ReadCase, ReportsUnreadableFiles) {
   EXPECT_EQ(problems.text(), "/no/such/case.toml: cannot be read: No such file or directory");
   EXPECT_EQ(none.tree, nullptr);
   EXPECT_EQ(none.place("time.end").text(), "/no/such/case.toml:1:1");
-  Problems folder;
-  read_case("/tmp", {}, folder);
-  EXPECT_EQ(folder.text(), "/tmp: cannot be read as a case: it is a folder");
-  const auto scene = std::filesystem::path(::testing::TempDir()) / "mesogen_scene";
-  std::filesystem::create_directories(scene);
-  std::ofstream(scene / "case.toml") << good_case;
-  Problems with_case;
-  read_case(scene.string(), {}, with_case);
-  EXPECT_EQ(with_case.text(),
-            scene.string() + ": cannot be read as a case: it is a folder; take " + scene.string() + "/case.toml");
-  std::filesystem::remove_all(scene);
   Problems endless;
   read_case("/dev/zero", {}, endless);
   EXPECT_EQ(endless.text(), "/dev/zero: cannot be read as a case: it is larger than 4 MiB");
+}
+
+// Of a folder, the error names the file that is meant if there is no doubt.
+TEST(ReadCase, NamesTheCaseInAFolder) {
+  const auto scene = std::filesystem::path(::testing::TempDir()) / "mesogen_scene";
+  std::filesystem::remove_all(scene);
+  std::filesystem::create_directories(scene);
+  const auto expect_advice = [&](const std::string& advice) {
+    Problems problems;
+    read_case(scene.string(), {}, problems);
+    EXPECT_EQ(problems.text(), scene.string() + ": cannot be read as a case: it is a folder; give " + advice);
+  };
+  expect_advice("a file (TOML)");
+  std::ofstream(scene / "answer.txt") << "no case";
+  std::ofstream(scene / "vortex.toml") << good_case;
+  expect_advice((scene / "vortex.toml").string());
+  std::ofstream(scene / "answer.toml") << "value = 1";
+  expect_advice("a file (TOML)");
+  std::ofstream(scene / "case.toml") << good_case;
+  expect_advice((scene / "case.toml").string());
+  std::filesystem::remove_all(scene);
 }
 
 TEST(ReadCase, ReadsAFile) {

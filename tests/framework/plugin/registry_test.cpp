@@ -161,6 +161,14 @@ TEST(PluginRegistry, SuggestsTheNearestName) {
       "its folder build/plugins");
 }
 
+TEST(PluginRegistry, SuggestsTheNearestNameOfAnyKind) {
+  const auto error = test::built_plugins().missing("walks");
+  EXPECT_EQ(error.code(), ExitCode::bad_case);
+  EXPECT_STREQ(error.what(),
+               "no plugin is called \"walks\" (see `mesogen plugin list`); did you mean \"walls\"?; a plugin of your "
+               "own is found with --plugin-path DIR or MESOGEN_PLUGIN_PATH=DIR, DIR being its folder build/plugins");
+}
+
 TEST(PluginRegistry, SaysWhyAPluginIsMissingIfItWasRefused) {
   const auto registry = PluginRegistry::only({broken("wrong_abi")});
   const auto text = error_of(ExitCode::plugin_refused, [&] { (void)registry.make_kernel("wrong_abi"); });
@@ -171,7 +179,9 @@ TEST(PluginRegistry, SaysWhyAPluginIsMissingIfItWasRefused) {
 TEST(PluginRegistry, SaysWhereItLookedIfThereIsNoPluginOfAKind) {
   const auto registry = PluginRegistry::only({broken("twin_a")});
   EXPECT_EQ(std::string(registry.missing(PluginKind::physics, "wcsph").what()),
-            "there is no physics plugin at all; looked in: " + fs::canonical(broken("twin_a")).string());
+            "there is no physics plugin at all; looked in: " + fs::canonical(broken("twin_a")).string() +
+                "; a plugin of your own is found with --plugin-path DIR or MESOGEN_PLUGIN_PATH=DIR, DIR being its "
+                "folder build/plugins");
 }
 
 TEST(PluginRegistry, RefusesAFormThatAPluginLacks) {
