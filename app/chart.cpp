@@ -39,7 +39,7 @@ void add_chart(CLI::App& command, Action& action) {
       if (options->draw_only) arguments.emplace_back("--draw-only");
       if (options->quiet) arguments.emplace_back("--quiet");
       arguments.insert(arguments.end(), {"--", options->study});
-      hand_over("chart", "mesogen.study", arguments);
+      hand_over("chart", "mesogen.charts", arguments);
     };
   });
 }

@@ -51,7 +51,7 @@ void add_study(CLI::App& command, Action& action) {
       if (options->retry) arguments.emplace_back("--retry");
       if (options->quiet) arguments.emplace_back("--quiet");
       arguments.insert(arguments.end(), {"--", options->study});
-      hand_over("study", "mesogen.claims", arguments);
+      hand_over("study", "mesogen.study", arguments);
     };
   });
 }

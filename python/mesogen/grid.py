@@ -14,15 +14,16 @@ EMPTY = 1e-9  # sums of weights below this are of cells without particles
 class Grid:
     """A grid of nx x ny cells over a box with its origin at 0.
 
-    box: (Lx, Ly). shape: (nx, ny), at least 4 each. periodic: by axis; False between walls.
+    box: (Lx, Ly). shape: (nx, ny), at least 4 each. periodic: by axis; False between walls. length_unit: of the box, as
+    text.
     """
 
-    def __init__(self, box, shape, periodic=(True, True)):
+    def __init__(self, box, shape, periodic=(True, True), length_unit="m"):
         self.box = np.asarray(box, dtype=float)[:2]
         nx, ny = (int(n) for n in shape)
         if nx < 4 or ny < 4:
             raise ValueError(f"a grid needs at least 4 x 4 cells, not {nx} x {ny}")
-        self.shape = (ny, nx)
+        self.shape, self.length_unit = (ny, nx), length_unit
         self.periodic = tuple(bool(p) for p in periodic)
         self.cell = self.box / (nx, ny)
         self.x = (np.arange(nx) + 0.5) * self.cell[0]
@@ -30,14 +31,15 @@ class Grid:
         self.extent = (0.0, self.box[0], 0.0, self.box[1])
 
     @classmethod
-    def for_particles(cls, box, count, refine=1.0, periodic=(True, True)):
-        """The grid whose cells are the mean particle spacing / refine wide."""
+    def for_particles(cls, box, count, refine=1.0, periodic=(True, True), length_unit="m"):
+        """The grid whose cells are as wide as the mean particle spacing / refine. count: number of particles."""
         box = np.asarray(box, dtype=float)[:2]
         spacing = np.sqrt(box.prod() / max(count, 1)) / refine
-        return cls(box, np.maximum(4, np.rint(box / spacing)).astype(int), periodic)
+        return cls(box, np.maximum(4, np.rint(box / spacing)).astype(int), periodic, length_unit)
 
     def __repr__(self):
-        return f"<mesogen.Grid {self.shape[1]} x {self.shape[0]} cells over {self.box[0]:g} x {self.box[1]:g}>"
+        lengths = " x ".join(f"{length:g} {self.length_unit}" for length in self.box)
+        return f"<mesogen.Grid {self.shape[1]} x {self.shape[0]} cells over {lengths}>"
 
 
 class Deposit:
@@ -118,12 +120,12 @@ class Deposit:
         return moved
 
 
-def deposit(position, values, box, shape=None, periodic=(True, True)):
-    """Grid and gridded field of one particle field; see Deposit. shape (nx, ny): one cell a particle unless given."""
+def deposit(position, values, box, shape=None, periodic=(True, True), length_unit="m"):
+    """(Grid, gridded field) of one particle field; see Deposit. shape: (nx, ny), by default about one particle per cell."""
     if shape is None:
-        grid = Grid.for_particles(box, len(position), periodic=periodic)
+        grid = Grid.for_particles(box, len(position), 1.0, periodic, length_unit)
     else:
-        grid = Grid(box, shape, periodic)
+        grid = Grid(box, shape, periodic, length_unit)
     return grid, Deposit(grid, position)(values)
 
 

@@ -33,8 +33,8 @@ series = "flow.v_rms"
 """
 
 SECTION = '''\
-from mesogen.claims import above
 from mesogen.figures import style
+from mesogen.study import above
 
 TITLE, FIGURE, SWEEPS = "Speed", "v rms", ["activity"]
 

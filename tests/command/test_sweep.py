@@ -236,7 +236,7 @@ class Sweep(SweepTest):
         self.assertEqual(mesogen.sweep.finished(sweep, folder), [])
         seen = []
 
-        class Seen(mesogen.study.progress.Progress):
+        class Seen(mesogen.runs.progress.Progress):
             def end(self, text, name=""):
                 seen.append(name)
 

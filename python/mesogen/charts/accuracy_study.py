@@ -1,0 +1,107 @@
+"""A study of kind "accuracy" as a TOML file, read and checked:
+
+    title = "Taylor-Green vortices"
+    kind = "accuracy"
+    scene = "../cases/accuracy/taylor_green"    # relative to this file
+    resolutions = [25, 50, 100]                 # particles across
+    repeats = 3                                 # of each run; times are medians over them
+    threads = 1
+    timeout = 600                               # s of wall time, optional: a run that takes longer has failed
+    seeds = [1, 2, 3]                           # optional: each run once per seed, the key particles.seed
+    variants_from = ["variants/flow.toml"]      # optional: files of variants, see parts.py
+    [common]                                    # optional: changed in all runs
+    "time.end" = 0.4
+    [variant.default]
+    [variant.wendland_c4]
+    note = "smoother kernel"                    # optional, for the table
+    resolutions = [25, 50]                      # optional: instead of the study's
+    "kernel.type" = "wendland_c4"               # keys of the case, dotted and quoted
+"""
+
+from dataclasses import dataclass
+
+from ..errors import StudyError
+from ..runs.overrides import digest, read_overrides
+from ..runs.table_reader import TableReader
+from .parts import Variant, scene_of, variant_tables
+from .scene import Scene
+
+
+@dataclass(frozen=True)
+class Job:
+    """One run. Jobs with the same key differ only in `repeat`, and so in their times only."""
+
+    key: str
+    variant: str
+    resolution: int
+    seed: int | None
+    repeat: int
+    overrides: dict
+
+    @property
+    def name(self):
+        return f"{self.variant} {self.resolution}" + ("" if self.seed is None else f" seed {self.seed}")
+
+
+@dataclass(frozen=True)
+class AccuracyStudy:
+    """An accuracy study. timeout: s of wall time per run, or None. common: overrides of all runs."""
+
+    file: str
+    title: str
+    scene: Scene
+    repeats: int
+    threads: int
+    timeout: float | None
+    seeds: tuple
+    common: dict
+    variants: tuple
+
+    def jobs(self):
+        """All runs in their order: every point once, coarse ones first, then all again. So a machine that is slow for a
+        while slows all variants alike."""
+        return [
+            self.job(variant, resolution, seed, repeat)
+            for repeat in range(1, self.repeats + 1)
+            for resolution in sorted({n for variant in self.variants for n in variant.resolutions})
+            for seed in self.seeds or (None,)
+            for variant in self.variants
+            if resolution in variant.resolutions
+        ]
+
+    def job(self, variant, resolution, seed=None, repeat=1):
+        """The Job of a variant at a resolution."""
+        overrides = {**self.common, **variant.overrides, "particles.spacing": self.scene.answer.across / resolution}
+        if seed is not None:
+            overrides["particles.seed"] = seed
+        key = digest(self.scene.data, self.scene.answer.data, overrides, self.threads)
+        return Job(key, variant.name, resolution, seed, repeat, overrides)
+
+
+def read_accuracy_study(file, data):
+    """The study. data: of the file. Raises StudyError with all problems."""
+    problems = []
+    table = TableReader(data, file, problems)
+    table.text("kind")
+    title = table.text("title")
+    scene = scene_of(table)
+    resolutions = tuple(table.integers("resolutions", at_least=2) or ())
+    repeats, threads = table.integer("repeats", 1), table.integer("threads", 1)
+    timeout = table.number("timeout", default=None, above=0)
+    seeds = tuple(table.integers("seeds", default=[], at_least=0))
+    common = read_overrides(table.table("common"))
+    variants = tuple(_variant(name, one, resolutions) for name, one in variant_tables(table).items())
+    table.finish()
+    if problems:
+        raise StudyError(problems)
+    return AccuracyStudy(file, title, scene, repeats, threads, timeout, seeds, common, variants)
+
+
+def _variant(name, table, resolutions):
+    reserved = ("note", "resolutions")
+    overrides = read_overrides(table, reserved)
+    if "particles.spacing" in overrides:
+        table.refuse("particles.spacing", "is chosen by the resolutions; leave it out")
+    note = table.text("note", "")
+    own = table.integers("resolutions", default=list(resolutions), at_least=2)
+    return Variant(name, overrides, note, tuple(sorted(own)))
