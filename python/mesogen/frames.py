@@ -62,7 +62,7 @@ class Frames:
         return next((self._field(name)["value"].shape[1] for name in self.fields), 0)
 
     def frame_index(self, frame=-1):
-        """The number of a frame from 0; negative numbers count from the end. Raises NoSuchName if it is out of range."""
+        """The number of a frame from 0; negative numbers count from the end. Raises NoSuchName out of range."""
         count = len(self.times)
         if not -count <= frame < count:
             span = f"{self.file} holds {count} frames"

@@ -121,7 +121,7 @@ class Deposit:
 
 
 def deposit(position, values, box, shape=None, periodic=(True, True), length_unit="m"):
-    """(Grid, gridded field) of one particle field; see Deposit. shape: (nx, ny), by default about one particle per cell."""
+    """(Grid, gridded field) of one particle field; see Deposit. shape: (nx, ny), by default one particle per cell."""
     if shape is None:
         grid = Grid.for_particles(box, len(position), 1.0, periodic, length_unit)
     else:
@@ -189,8 +189,8 @@ def _stencil_weights(grid, position, weights_of):
 
 
 def _weights_along(grid, position, axis, weights_of):
-    """Weights of the four cells along an axis, (4, N). Behind a wall there are none: nothing is spread to them, and what
-    is read from them is extrapolated linearly from the two before the wall."""
+    """Weights of the four cells along an axis, (4, N). Behind a wall there are none: nothing is spread to them, and
+    what is read from them is extrapolated linearly from the two before the wall."""
     cell, offset = _cells_along(grid, position, axis)
     weight = np.stack(weights_of(offset[1]))
     if grid.periodic[axis]:

@@ -13,8 +13,8 @@ from .frames import Frames
 from .samples import Samples
 from .units import stored_unit
 
-# The cost of a finished run, over all its sessions: steps; sessions (above 1: it was resumed); wall_seconds of stepping,
-# without start-up; cpu_seconds of all threads; threads of the last session; peak_memory (resident, bytes).
+# The cost of a finished run, over all its sessions: steps; sessions (above 1: it was resumed); wall_seconds of
+# stepping, without start-up; cpu_seconds of all threads; threads of the last session; peak_memory (resident, bytes).
 Cost = namedtuple("Cost", "steps sessions wall_seconds cpu_seconds threads peak_memory")
 
 # Where a branch started: folder of the other run, name of its checkpoint, time and step of that, and the changes of the
@@ -76,8 +76,8 @@ class Run(Frames, Samples):
             return f"<mesogen.Run {name!r}, closed>"
         times = self.times
         span = f"{len(times)} frames to t = {times[-1]:g} {self.time_unit}" if len(times) else "no frames"
-        stored = [f"{what} {', '.join(names)}" for what, names in (("fields", self.fields), ("observers", self.observers))
-                  if names]
+        contents = (("fields", self.fields), ("observers", self.observers))
+        stored = [f"{what} {', '.join(names)}" for what, names in contents if names]
         return f"<mesogen.Run {name!r}: {'; '.join([f'{self.count} particles, {span}', *stored])}>"
 
     @property

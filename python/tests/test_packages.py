@@ -13,8 +13,8 @@ def imported(file):
     here = ("mesogen", *file.relative_to(PACKAGE).parts)
     for node in ast.walk(ast.parse(file.read_text(encoding="utf-8"))):
         if isinstance(node, ast.ImportFrom):
-            parts = [*here[:len(here) - node.level], *(node.module or "").split(".")] if node.level else node.module.split(".")
-            names = [".".join([*filter(None, parts), one.name]) for one in node.names]
+            start = here[:len(here) - node.level] if node.level else ()
+            names = [".".join(filter(None, (*start, node.module, one.name))) for one in node.names]
         elif isinstance(node, ast.Import):
             names = [one.name for one in node.names]
         else:

@@ -78,8 +78,8 @@ class Reading(synthetic.FolderTest):
         self.assertEqual(self.run_.version, "0.1.0")
 
     def test_says_what_it_is(self):
-        self.assertEqual(repr(self.run_), f"<mesogen.Run {self.folder!r}: 288 particles, 3 frames to t = 2 s; fields colour, "
-                         "order_tensor, position, velocity; observers blend, knots, stream, tracers>")
+        self.assertEqual(repr(self.run_), f"<mesogen.Run {self.folder!r}: 288 particles, 3 frames to t = 2 s; fields "
+                         "colour, order_tensor, position, velocity; observers blend, knots, stream, tracers>")
         self.run_.close()
         self.assertIn("closed", repr(self.run_))
 

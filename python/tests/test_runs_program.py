@@ -16,7 +16,8 @@ SCHEMA = {"properties": {"time": {"properties": {"factor": {"default": 1.0}, "de
 
 class Versions(unittest.TestCase):
     def test_a_program_that_is_not_there(self):
-        with self.assertRaisesRegex(StudyError, r"^nowhere/mesogen cannot be started \(.*\); give the command with --mesogen$"):
+        with self.assertRaisesRegex(StudyError, r"^nowhere/mesogen cannot be started \(.*\); give the command with "
+                                                "--mesogen$"):
             Program("nowhere/mesogen")
 
     def test_a_program_that_has_no_schema(self):
@@ -41,14 +42,16 @@ class FakeProgram(synthetic.FolderTest):
         os.makedirs(self.folder, exist_ok=True)
         file = os.path.join(self.folder, "mesogen")
         with open(file, "w", encoding="utf-8") as stream:
-            stream.write(f"#!/bin/sh\ncase $1 in --version) echo 'mesogen 1';; schema) echo '{json.dumps(schema)}';; esac\n")
+            stream.write("#!/bin/sh\n"
+                         f"case $1 in --version) echo 'mesogen 1';; schema) echo '{json.dumps(schema)}';; esac\n")
         os.chmod(file, 0o755)
         return file
 
     def test_runs_count_until_a_default_changes(self):
         rows = [{"version": Program(self.program(SCHEMA)).version_for()}]
         self.assertRegex(rows[0]["version"], "^mesogen 1, defaults [0-9a-f]{12}$")
-        described = {**SCHEMA, "description": "other words", "properties": {**SCHEMA["properties"], "new": {"type": "text"}}}
+        described = {**SCHEMA, "description": "other words",
+                     "properties": {**SCHEMA["properties"], "new": {"type": "text"}}}
         self.assertEqual(of_same_defaults(rows, self.program(described)), rows)
         other = json.loads(json.dumps(SCHEMA).replace("0.3", "0.4"))
         self.assertEqual(of_same_defaults(rows, self.program(other)), [])

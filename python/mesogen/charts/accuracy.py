@@ -22,7 +22,7 @@ COLUMNS = ("key", "variant", "resolution", "seed", "repeat", "status", "reason",
 
 
 def row_of(job, study, rows):
-    """The row of a job, None if the job must run. A run that was stopped for its time must run again if it has more now."""
+    """The row of a job, None if the job must run: also where its run was stopped for its time, and has more now."""
     return next((row for row in rows if row["key"] == job.key and int(row["repeat"]) == job.repeat
                  and not (row["status"] == "timeout" and stopped_too_early(row, study.timeout))), None)
 

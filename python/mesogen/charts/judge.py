@@ -1,6 +1,6 @@
 """Whether a run held, and if not, which bound it broke first.
 
-The judge looks at the series of the observer flow_statistics, at what stopped the run, and at the answer if there is one:
+The judge looks at the series of the observer flow_statistics, at what stopped the run, and at the answer:
 
     stopped    mesogen stopped the run: a number is not finite, or a guard; or the timeout of the study did
     clumping   smallest distance of two particles, in spacings: below the bound

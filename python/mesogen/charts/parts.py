@@ -30,7 +30,7 @@ def ledger_of(folder, columns):
 
 
 def only(study, names):
-    """The study with only these variants, with all of them if `names` is empty. Raises StudyError for an unknown name."""
+    """The study with only these variants; with all of them if `names` is empty. Raises StudyError."""
     known = [variant.name for variant in study.variants]
     for name in names:
         if name not in known:

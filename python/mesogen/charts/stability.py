@@ -24,7 +24,7 @@ COLUMNS = ("key", "variant", "across", "value", "how", "time", "reason", *CRITER
 
 @dataclass(frozen=True)
 class Found:
-    """The state of one search. edges: (value that holds, value that fails, row of the run that fails) of each boundary."""
+    """The state of one search. edges: (value that holds, value that fails, row of the run that fails) per boundary."""
 
     cell: object
     rows: dict  # {value: row}
@@ -62,7 +62,8 @@ def list_runs(study, folder, program, write):
     for cell in study.cells():
         found, following = found_of(study, cell, rows)
         for value, row in sorted(found.rows.items()):
-            write(f"{row['how'] or 'held':8} {cell.name}, {value:g}: {command_of(study, program, cell, value, folder, 'run')}")
+            write(f"{row['how'] or 'held':8} {cell.name}, {value:g}: "
+                  + command_of(study, program, cell, value, folder, "run"))
         if following is not None:
             write(f"next     {cell.name}, {following:g}: {command_of(study, program, cell, following, folder, 'run')}")
 
@@ -96,7 +97,8 @@ def run_study(study, folder, program, progress_of=Progress, tell=print):
                     progress.total = progress.done + to_come(study, searches)
                     if value is None:
                         break
-                    progress.start(f"{cell.name}, {study.sweep_key} = {value:g}", time_left(study, searches, ledger.rows))
+                    progress.start(f"{cell.name}, {study.sweep_key} = {value:g}",
+                                   time_left(study, searches, ledger.rows))
                     row = run_trial(study, cell, value, folder, program, progress.tick)
                     ledger.add({**row, **stamp(version)})
                     progress.end(row_text(study, row))
@@ -138,7 +140,8 @@ def run_trial(study, cell, value, folder, program, tick):
     """Does one run, and returns its row of runs.csv with the verdict. Its output is removed."""
     results = os.path.join(folder, "run")
     begun = time.monotonic()
-    outcome = execute(program, study.scene.case, study.overrides(cell, value), results, study.threads, study.timeout, tick)
+    outcome = execute(program, study.scene.case, study.overrides(cell, value), results, study.threads, study.timeout,
+                      tick)
     try:
         with open_run(results) as run:
             quantities = study.scene.answer.quantities if study.scene.answer else ()

@@ -56,8 +56,8 @@ class Cell:
 
 @dataclass(frozen=True)
 class StabilityStudy:
-    """A stability study. end: simulated time per run; timeout: s of wall time per run, or None; common: overrides of all
-    runs."""
+    """A stability study. end: simulated time per run; timeout: s of wall time per run, or None; common: overrides of
+    all runs."""
 
     file: str
     title: str
@@ -113,8 +113,8 @@ def read_stability_study(file, data):
     bounds = read_bounds(judge_table, scene is not None and scene.answer is not None)
     judge_table.finish()
     if end is not None and bounds.error is not None and end < scene.answer.last:
-        problems.append(f"{table.place('end')}: the scene's answer is for t = {scene.answer.last:g} {scene.time_unit}; run to "
-                        "there, or say error = false in [judge]")
+        problems.append(f"{table.place('end')}: the scene's answer is for t = {scene.answer.last:g} {scene.time_unit}; "
+                        "run to there, or say error = false in [judge]")
     for variant in variants:
         for key in {sweep_key, across_key} & set(variant.overrides):
             problems.append(f"{file}: variant.{variant.name}.\"{key}\": is swept; leave it out")

@@ -32,7 +32,7 @@ def boundaries_csv(study, searches):
 
 
 def markdown(study, searches, rows, command):
-    """The text of map.md. rows: of runs.csv; command: function of (cell, value, name of output) that gives a shell line."""
+    """The text of map.md. rows: of runs.csv; command: function of (cell, value, name of output), gives a shell line."""
     sweep = study.sweep
     lines = [f"# {study.title}", "", f"`{study.sweep_key}` from {sweep.first:g} to {sweep.last:g}"
              + (f", for `{study.across_key}` = {', '.join(map(str, study.across_values))}" if study.across_key else "")

@@ -11,8 +11,8 @@ def points_csv(points):
     """The text of points.csv: one line per point."""
     columns = ("variant", "resolution", "error", "wall_seconds", "wall_seconds_min", "wall_seconds_max", "cpu_seconds",
                "steps", "peak_memory", "runs", "failure")
-    return csv_text(columns, [(p.variant, p.resolution, p.error, p.wall, p.wall_low, p.wall_high, p.cpu, p.steps, p.memory,
-                               p.runs, p.failure) for p in points])
+    return csv_text(columns, [(p.variant, p.resolution, p.error, p.wall, p.wall_low, p.wall_high, p.cpu, p.steps,
+                               p.memory, p.runs, p.failure) for p in points])
 
 
 def markdown(study, points, rows):

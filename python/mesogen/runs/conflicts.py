@@ -9,8 +9,8 @@ from .table_reader import nearest
 def conflicts(sweep, seed_keys_given, own):
     """Problems as texts, each with its place in the sweep's file but without the file's name.
 
-    seed_keys_given: whether the file has `seed_keys`. own: [common] of the file, without the changes of a study. A study
-    may end runs before a quantity starts, since it takes its own means.
+    seed_keys_given: whether the file has `seed_keys`. own: [common] of the file, without the changes of a study. A
+    study may end runs before a quantity starts, since it takes its own means.
     """
     there = list(_keys(sweep.data))
     changed = {key for one in (sweep.common, *(point.values for point in sweep.points)) for key in one}

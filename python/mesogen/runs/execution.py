@@ -58,8 +58,8 @@ class Process:
                                              process_group=0)
 
     def poll(self):
-        """The Outcome after its end, None before. Raises Refused if mesogen refuses the case, and Interrupted if somebody
-        else interrupted the run."""
+        """The Outcome after its end, None before. Raises Refused if mesogen refuses the case, and Interrupted if
+        somebody else interrupted the run."""
         now = time.monotonic()
         if self.timeout is not None and not self._late and now - self._begun > self.timeout:
             self._late = True

@@ -81,7 +81,7 @@ def write_file(path, text):
 
 
 def csv_text(columns, rows):
-    """The text of a CSV file. rows: sequences; numbers keep all digits, None and numbers that are not finite are empty."""
+    """The text of a CSV file. Numbers keep all digits; None and numbers that are not finite are left empty."""
     stream = io.StringIO()
     writer = csv.writer(stream, lineterminator="\n")
     writer.writerow(columns)

@@ -4,7 +4,7 @@ from .program import split_version
 
 
 def table_lines(header, rows, left=()):
-    """The lines of a table. left: names of columns that are aligned to the left; the others are aligned to the right."""
+    """The lines of a table. left: names of columns that are aligned to the left, the others to the right."""
     cells = [list(header), *([str(cell).replace("|", "\\|") for cell in row] for row in rows)]
     widths = [max(3, *(len(row[i]) for row in cells)) for i in range(len(header))]
     leftmost = [name in left for name in header]

@@ -6,8 +6,8 @@
     state/LABEL/key     key of the run whose output that is, and mesogen's defaults
     state/LABEL/row.csv how the run ended, if a task of a job array did it; the next sweep moves the line to runs.csv
 
-A row of runs.csv belongs to the output in runs/LABEL only while both have the same key: a run that was started again for
-another case has no row yet.
+A row of runs.csv belongs to the output in runs/LABEL only while both have the same key: a run that was started again
+for another case has no row yet.
 """
 
 import filecmp
@@ -63,7 +63,7 @@ class Records:
         Ledger(self.state(run, "row.csv"), COLUMNS).add(row)
 
     def row(self, run):
-        """The row about the output of the run, None if the run has not ended, or was done for another case or program."""
+        """The row about the output of the run, None if it has not ended, or was done for another case or program."""
         task = self.state(run, "row.csv")
         rows = [*self.ledger.rows, *(Ledger(task, COLUMNS).rows if os.path.exists(task) else [])]
         row = next((row for row in reversed(rows) if row["label"] == run.label), None)

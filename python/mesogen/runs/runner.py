@@ -15,11 +15,12 @@ from .records import Records, identity
 def run_sweep(sweep, folder, program="mesogen", parallel=None, progress=Progress, tell=print, retry=False):
     """Does the runs that are missing in the folder.
 
-    program: the command `mesogen`. parallel: runs at a time, None: as the sweep has it. progress: function of (number of
-    runs, number of finished runs) that gives a runs.progress.Progress. tell: takes a message for each run that is done
-    again. retry: runs that failed are tried again.
-    Raises StudyError if mesogen refuses a run, or no observer records a quantity, before the first run starts. After an
-    error or an interrupt no run is in progress; each has left a checkpoint.
+    program: the command `mesogen`. parallel: runs at a time, None: as the sweep has it. progress: function of (number
+    of runs, number of finished runs) that gives a runs.progress.Progress. tell: takes a message for each run that is
+    done again. retry: runs that failed are tried again.
+
+    Raises StudyError if mesogen refuses a run, or no observer records a quantity, before the first run starts. After
+    an error or an interrupt no run is in progress; each has left a checkpoint.
     """
     with locked(folder, busy_text(folder)):
         records = Records(sweep, folder, Program(program))

@@ -2,9 +2,9 @@
 
 Samples close in time are correlated, so that deviation / sqrt(samples) is too small an error. Here the span is cut into
 blocks, and the error is the standard error of the blocks' means (Flyvbjerg and Petersen, J. Chem. Phys. 91, 461, 1989);
-it is right if a block is many correlation times long. The correlation time is the integral of the autocorrelation, summed
-up to a window of WINDOW correlation times (Sokal, in Functional Integration, 1997). By default a block is LONG correlation
-times long.
+it is right if a block is many correlation times long. The correlation time is the integral of the autocorrelation,
+summed up to a window of WINDOW correlation times (Sokal, in Functional Integration, 1997). By default a block is LONG
+correlation times long.
 """
 
 import math
@@ -20,7 +20,7 @@ FEWEST, MOST = 4, 32  # default numbers of blocks
 
 @dataclass(frozen=True)
 class Mean:
-    """Of one run: mean and standard error in the unit of the series, correlation time in that of times. NaN: unknown."""
+    """Of one run: mean and error in the unit of the series, correlation time in that of times. NaN: unknown."""
 
     mean: float
     error: float

@@ -57,7 +57,7 @@ class Run:
 
 @dataclass(frozen=True)
 class Sweep:
-    """A sweep. case: path of the case; data: the case as a dictionary; timeout: s; parallel: runs at a time, or None."""
+    """A sweep. case: path of the case; data: the case as a dictionary; timeout: s, or None."""
 
     file: str
     title: str
@@ -96,8 +96,8 @@ class Sweep:
 def read_sweep(path, extra=None, seeds=None, threads=None, parallel=None):
     """The sweep of a file.
 
-    extra: further overrides, {"time.end": 50.0}: they replace those of [common], and points replace them. seeds, threads,
-    parallel: replace those of the file. Raises StudyError with all problems of the file.
+    extra: further overrides, {"time.end": 50.0}: they replace those of [common], and points replace them. seeds,
+    threads, parallel: replace those of the file. Raises StudyError with all problems of the file.
     """
     file = os.fspath(path)
     problems = []

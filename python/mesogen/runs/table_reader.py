@@ -39,10 +39,11 @@ def key_text(key):
 
 
 class TableReader:
-    """One table. A method for each type returns the value of a key, or its default, and adds what is wrong to `problems`.
+    """One table, with a method for each type of value.
 
-    data: the table; file: where it is, for messages; path: its dotted name there. Call finish() after the last key: it
-    refuses the keys that nobody asked for.
+    data: the table; file: where it is, for messages; path: its dotted name there. A method returns the value of a key,
+    or its default, and adds what is wrong to `problems`. Call finish() after the last key: it refuses the keys that
+    nobody asked for.
     """
 
     def __init__(self, data, file, problems, path=""):

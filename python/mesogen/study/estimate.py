@@ -8,15 +8,15 @@ import numpy as np
 from ..runs.statistics import standard_error
 from .verdict import DOES_NOT_HOLD, HOLDS, NOT_RESOLVED
 
-# Student's t for a two-sided 95 % interval, for 1 to 10 degrees of freedom and for infinitely many: the error from a few
-# seeds is itself uncertain.
+# Student's t for a two-sided 95 % interval, for 1 to 10 degrees of freedom and for infinitely many: the error from a
+# few seeds is itself uncertain.
 STUDENT = (12.706, 4.303, 3.182, 2.776, 2.571, 2.447, 2.365, 2.306, 2.262, 2.228)
 NORMAL = 1.960
 
 
 @dataclass(frozen=True)
 class Estimate:
-    """A mean and its standard error, of `count` independent values. The error of one value is NaN, of an exact number 0.
+    """A mean and its standard error, of `count` independent values. error: NaN for one value, 0 for an exact number.
 
     For a combination of Estimates, count is one more than its degrees of freedom.
     """
@@ -61,8 +61,8 @@ def over_seeds(values):
 
 
 def combined(mean, *parts):
-    """The Estimate of a combination. parts: (error that comes from one part, count of that part). The degrees of freedom
-    are those of Welch and Satterthwaite."""
+    """The Estimate of a combination. parts: (error that comes from one part, count of that part). The degrees of
+    freedom are those of Welch and Satterthwaite."""
     error = math.hypot(*(error for error, _ in parts))
     terms = [error**4 / (count - 1) if count > 1 else math.nan for error, count in parts if error != 0]
     freedom = error**4 / sum(terms) if terms and sum(terms) > 0 else 0
@@ -89,8 +89,8 @@ def above(one, other):
 
 
 def agrees(one, value, within):
-    """The verdict on "one differs from `value` by at most `within`": it holds if the 95 % interval lies inside, and does
-    not hold if it lies outside."""
+    """The verdict on "one differs from `value` by at most `within`": it holds if the 95 % interval lies inside, and
+    does not hold if it lies outside."""
     off = abs(one.mean - value)
     if off + one.uncertainty <= within:
         return HOLDS

@@ -70,7 +70,7 @@ class Results:
         return found
 
     def estimate(self, observer, quantity, start, end=math.inf):
-        """The Estimate over the runs of the mean over start < time <= end. Raises NothingThere if no run has a sample there."""
+        """The Estimate over the runs of the mean over start < time <= end. Raises NothingThere without samples."""
         with self.first().open() as run:
             unit = run.time_unit
         means = [time_mean(time, value, start, end, unit=unit) for time, value in self.series(observer, quantity)]

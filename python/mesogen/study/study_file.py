@@ -43,7 +43,7 @@ class Study:
 
 
 def read_study(folder, mode="standard", only=()):
-    """The Study of a folder. only: names of sections, all if empty. Raises StudyError with all problems in study.toml."""
+    """The Study of a folder. only: names of sections, all if empty. Raises StudyError with all problems."""
     file = os.path.join(folder, "study.toml")
     if not os.path.isfile(file):
         raise StudyError(f"{folder}: holds no study.toml; give the folder of a study, such as studies/paper")

@@ -31,9 +31,9 @@ GRACE = 60  # s before the end of its time at which a task gets SIGTERM: enough 
 def submit(sweep, folder, program, options="", at_a_time=None, dry=False, retry=False, tell=print):
     """Submits the missing runs as one job array.
 
-    options: of sbatch, as on a command line. at_a_time: tasks at a time, None: Slurm decides. dry: writes script and list
-    of tasks, submits nothing. tell: takes messages for the user. Raises StudyError if there is no sbatch, if sbatch
-    refuses the script, and while the last job of this sweep is in the queue.
+    options: of sbatch, as on a command line. at_a_time: tasks at a time, None: Slurm decides. dry: writes script and
+    list of tasks, submits nothing. tell: takes messages for the user. Raises StudyError if there is no sbatch, if
+    sbatch refuses the script, and while the last job of this sweep is in the queue.
     """
     with locked(folder, busy_text(folder)):
         records = Records(sweep, folder, Program(program))
