@@ -59,7 +59,7 @@ class Deposit:
         self.weight = self._sum(1.0)  # by cell; their total is the number of particles
 
     def __call__(self, values):
-        """The field at the cell centres, shape (ny, nx), from one number a particle; for smooth fields.
+        """The field at the cell centres, shape (ny, nx), from one number per particle; for smooth fields.
 
         A linear fit to the particles around each centre (moving least squares: disorder does not matter for linear
         fields), then once more what this missed at the particles: smooth fields to fourth order on a lattice. At jumps
@@ -88,7 +88,7 @@ class Deposit:
         sxx, sxy, syy = self._sum(dx * dx), self._sum(dx * dy), self._sum(dy * dy)
         row = np.stack([sxx * syy - sxy**2, sxy * sy - sx * syy, sx * sxy - sxx * sy])
         determinant = s * row[0] + sx * row[1] + sy * row[2]
-        # Too few particles for a slope: their mean instead. A lattice of one particle a cell has s^3 / 9.
+        # Too few particles for a slope: their mean instead. A lattice of one particle per cell has s^3 / 9.
         sound = determinant > 1e-3 * np.maximum(s, EMPTY) ** 3
         mean = np.stack([1 / np.maximum(s, EMPTY), np.zeros_like(s), np.zeros_like(s)])
         return np.where(sound, row / np.where(sound, determinant, 1.0), mean)

@@ -3,10 +3,9 @@
 import os
 import shutil
 
-from ..errors import MesogenError, StudyError
-from ..run import open as open_run
+from ..errors import StudyError
 from ..runs.check import check_cases
-from ..runs.execution import command_line, execute
+from ..runs.execution import command_line, execute, results_of
 from ..runs.ledger import locked, stopped_too_early, write_file
 from ..runs.program import Program, of_same_defaults, stamp
 from ..runs.progress import Progress, wall_text
@@ -114,12 +113,9 @@ def run_job(study, job, folder, program, tick):
     row = {"key": job.key, "variant": job.variant, "resolution": job.resolution, "seed": job.seed, "repeat": job.repeat,
            "status": outcome.status, "reason": outcome.reason, "wall_seconds": outcome.wall, "cpu_seconds": outcome.cpu}
     if outcome.status == "done":
-        try:
-            with open_run(results) as run:
-                row["error"] = measures.error(run, study.scene.answer.quantities)
-                cost = run.cost
-        except MesogenError as error:
-            raise StudyError(f"{study.scene.answer.file}: {error}") from error
+        with results_of(results, study.scene.answer.file) as run:
+            row["error"] = measures.error(run, study.scene.answer.quantities)
+            cost = run.cost
         row |= {"wall_seconds": cost.wall_seconds, "steps": cost.steps, "peak_memory": cost.peak_memory}
         if not row["error"] < float("inf"):
             row |= {"status": "failed", "reason": "what it recorded is not a number"}

@@ -1,4 +1,4 @@
-"""A study of kind "accuracy" as a TOML file, read and checked:
+"""A study of kind "accuracy" as a TOML file:
 
     title = "Taylor-Green vortices"
     kind = "accuracy"
@@ -23,8 +23,7 @@ from dataclasses import dataclass
 from ..errors import StudyError
 from ..runs.overrides import digest, read_overrides
 from ..runs.table_reader import TableReader
-from .parts import Variant, scene_of, variant_tables
-from .scene import Scene
+from .parts import Study, Variant, read_common
 
 
 @dataclass(frozen=True)
@@ -44,18 +43,11 @@ class Job:
 
 
 @dataclass(frozen=True)
-class AccuracyStudy:
-    """An accuracy study. timeout: s of wall time per run, or None. common: overrides of all runs."""
+class AccuracyStudy(Study):
+    """An accuracy study. repeats: of each run; seeds: empty without any."""
 
-    file: str
-    title: str
-    scene: Scene
     repeats: int
-    threads: int
-    timeout: float | None
     seeds: tuple
-    common: dict
-    variants: tuple
 
     def jobs(self):
         """All runs in their order: every point once, coarse ones first, then all again. So a machine that is slow for a
@@ -82,19 +74,13 @@ def read_accuracy_study(file, data):
     """The study. data: of the file. Raises StudyError with all problems."""
     problems = []
     table = TableReader(data, file, problems)
-    table.text("kind")
-    title = table.text("title")
-    scene = scene_of(table)
     resolutions = tuple(table.integers("resolutions", at_least=2) or ())
-    repeats, threads = table.integer("repeats", 1), table.integer("threads", 1)
-    timeout = table.number("timeout", default=None, above=0)
-    seeds = tuple(table.integers("seeds", default=[], at_least=0))
-    common = read_overrides(table.table("common"))
-    variants = tuple(_variant(name, one, resolutions) for name, one in variant_tables(table).items())
+    common = read_common(table, True, lambda name, one: _variant(name, one, resolutions))
+    repeats, seeds = table.integer("repeats", 1), tuple(table.integers("seeds", default=[], at_least=0))
     table.finish()
     if problems:
         raise StudyError(problems)
-    return AccuracyStudy(file, title, scene, repeats, threads, timeout, seeds, common, variants)
+    return AccuracyStudy(**common, repeats=repeats, seeds=seeds)
 
 
 def _variant(name, table, resolutions):

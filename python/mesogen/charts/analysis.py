@@ -36,7 +36,7 @@ class Reach:
 
     variant: str
     wall: float  # s
-    between: tuple  # resolutions: (48,) measured there, (36, 48) interpolated between the two
+    between: tuple  # (48,): measured at this resolution; (36, 48): interpolated between these
 
 
 def reach(points, level):

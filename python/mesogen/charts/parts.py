@@ -10,8 +10,9 @@ import os
 
 from ..errors import StudyError
 from ..runs.ledger import Ledger
+from ..runs.overrides import read_overrides
 from ..runs.table_reader import TableReader, nearest, read_toml
-from .scene import read_scene
+from .scene import Scene, read_scene
 
 
 @dataclasses.dataclass(frozen=True)
@@ -22,6 +23,28 @@ class Variant:
     overrides: dict
     note: str
     resolutions: tuple = ()
+
+
+@dataclasses.dataclass(frozen=True)
+class Study:
+    """A study of either kind. timeout: s of wall time per run, or None; common: overrides of all runs."""
+
+    file: str
+    title: str
+    scene: Scene
+    threads: int
+    timeout: float | None
+    common: dict
+    variants: tuple
+
+
+def read_common(table, answer_required, read_variant):
+    """{field: value} of a Study. table: of the file; read_variant: function of the name and table of a variant."""
+    table.text("kind")
+    return {"file": table.file, "title": table.text("title"), "scene": scene_of(table, answer_required),
+            "threads": table.integer("threads", 1), "timeout": table.number("timeout", default=None, above=0),
+            "common": read_overrides(table.table("common")),
+            "variants": tuple(read_variant(name, one) for name, one in variant_tables(table).items())}
 
 
 def ledger_of(folder, columns):
@@ -38,7 +61,7 @@ def only(study, names):
     return dataclasses.replace(study, variants=tuple(v for v in study.variants if not names or v.name in names))
 
 
-def scene_of(table, answer_required=True):
+def scene_of(table, answer_required):
     """The Scene that the study names, None if it cannot be read."""
     place = table.text("scene")
     if place is None:

@@ -1,4 +1,4 @@
-"""A study of kind "stability" as a TOML file, read and checked:
+"""A study of kind "stability" as a TOML file:
 
     title = "Sound speed"
     kind = "stability"
@@ -37,8 +37,7 @@ from ..errors import StudyError
 from ..runs.overrides import digest, is_value, read_overrides
 from ..runs.table_reader import TableReader, is_number
 from .judge import Bounds, read_bounds
-from .parts import Variant, scene_of, variant_tables
-from .scene import Scene
+from .parts import Study, Variant, read_common
 from .search import Sweep
 
 
@@ -55,18 +54,11 @@ class Cell:
 
 
 @dataclass(frozen=True)
-class StabilityStudy:
-    """A stability study. end: simulated time per run; timeout: s of wall time per run, or None; common: overrides of
-    all runs."""
+class StabilityStudy(Study):
+    """A stability study. end: simulated time per run; sweep: range of the parameter; template: of its values."""
 
-    file: str
-    title: str
-    scene: Scene
     end: float
-    threads: int
-    timeout: float | None
     remedy: str
-    common: dict
     sweep: Sweep
     sweep_key: str
     sweep_name: str
@@ -75,7 +67,6 @@ class StabilityStudy:
     across_name: str
     across_values: tuple
     bounds: Bounds
-    variants: tuple
 
     def cells(self):
         """The searches of the study."""
@@ -97,17 +88,14 @@ def read_stability_study(file, data):
     """The study. data: of the file. Raises StudyError with all problems."""
     problems = []
     table = TableReader(data, file, problems)
-    table.text("kind")
-    title, scene = table.text("title"), scene_of(table, answer_required=False)
-    end, threads = table.number("end", above=0), table.integer("threads", 1)
-    timeout, remedy = table.number("timeout", default=None, above=0), table.text("remedy", "")
-    common = read_overrides(table.table("common"))
+    common = read_common(table, False, _variant)
+    scene, variants = common["scene"], common["variants"]
+    end, remedy = table.number("end", above=0), table.text("remedy", "")
     sweep_table = table.table("sweep", required=True)
     sweep_key, sweep = _sweep(sweep_table)
     sweep_name, template = sweep_table.text("name", sweep_key or ""), _template(sweep_table)
     sweep_table.finish()
     across_key, across_name, values = _across(table.table("across")) if "across" in table else (None, "", ())
-    variants = tuple(_variant(name, one) for name, one in variant_tables(table).items())
     judge_table = table.table("judge")
     table.finish()
     bounds = read_bounds(judge_table, scene is not None and scene.answer is not None)
@@ -120,8 +108,9 @@ def read_stability_study(file, data):
             problems.append(f"{file}: variant.{variant.name}.\"{key}\": is swept; leave it out")
     if problems:
         raise StudyError(problems)
-    return StabilityStudy(file, title, scene, end, threads, timeout, remedy, common, sweep, sweep_key, sweep_name,
-                          template, across_key, across_name, values, bounds, variants)
+    return StabilityStudy(**common, end=end, remedy=remedy, sweep=sweep, sweep_key=sweep_key, sweep_name=sweep_name,
+                          template=template, across_key=across_key, across_name=across_name, across_values=values,
+                          bounds=bounds)
 
 
 def _sweep(table):

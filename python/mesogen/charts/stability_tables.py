@@ -17,17 +17,17 @@ def state_of(found):
     return "boundary"
 
 
+def _lines(found):
+    """(value that holds, value that fails, row) of each boundary; without any, (None, None, first row that fails)."""
+    return found.edges or [(None, None, next((row for row in found.rows.values() if row["how"]), None))]
+
+
 def boundaries_csv(study, searches):
     """The text of boundaries.csv: one line per boundary, and one per search without any."""
     columns = ("variant", study.across_key or "across", "state", "inside", "outside", "how", "time", "reason", "runs")
-    rows = []
-    for found in searches:
-        common = (found.cell.variant.name, found.cell.across, state_of(found))
-        for inside, outside, row in found.edges:
-            rows.append((*common, inside, outside, row["how"], row["time"], row["reason"], len(found.rows)))
-        if not found.edges:
-            worst = next((row for row in found.rows.values() if row["how"]), {"how": "", "time": "", "reason": ""})
-            rows.append((*common, None, None, worst["how"], worst["time"], worst["reason"], len(found.rows)))
+    rows = [(found.cell.variant.name, found.cell.across, state_of(found), inside, outside,
+             *(row[name] if row else None for name in ("how", "time", "reason")), len(found.rows))
+            for found in searches for inside, outside, row in _lines(found)]
     return csv_text(columns, rows)
 
 
@@ -72,12 +72,11 @@ def _table(study, searches):
     rows = []
     for found in searches:
         start = (found.cell.variant.name, *([str(found.cell.across)] if study.across_key else []))
-        for inside, outside, row in found.edges:
-            rows.append((*start, f"{inside:g}", f"{outside:g}", row["how"], f"{float(row['time']):.3g}", row["reason"]))
-        if not found.edges:
-            failed = next((row for row in found.rows.values() if row["how"]), None)
-            rows.append((*start, "", "", failed["how"] if failed else "", f"{float(failed['time']):.3g}" if failed else "",
-                         state_of(found) + (f": {failed['reason']}" if failed else "")))
+        for inside, outside, row in _lines(found):
+            ends = ("", "") if inside is None else (f"{inside:g}", f"{outside:g}")
+            how, time, reason = (row["how"], f"{float(row['time']):.3g}", row["reason"]) if row else ("", "", "")
+            first = reason if found.edges else ": ".join(filter(None, (state_of(found), reason)))
+            rows.append((*start, *ends, how, time, first))
     header = ["variant", *([study.across_key] if study.across_key else []), "holds at", "fails at", "how",
               f"t ({study.scene.time_unit})", "first"]
     return table_lines(header, rows, left=("variant", "how", "first"))

@@ -9,9 +9,9 @@ from ..grid import Deposit, Grid, vorticity
 
 
 class Scene:
-    """A frame of a Run with its fields on a grid of about one cell a particle.
+    """A frame of a Run with its fields on a grid of about one cell per particle.
 
-    run: an open Run. frame: its number, negative from the end; None for a run without frames, of which only series
+    run: an open Run. frame: its number, negative from the end; None for a run without frames: only its series
     are drawn.
     """
 

@@ -4,9 +4,8 @@ import os
 import shutil
 import signal
 
-from ..errors import MesogenError, Refused, StudyError
-from ..run import open as open_run
-from .execution import Process, command
+from ..errors import Refused
+from .execution import Process, command, results_of
 from .program import stamp
 
 # Signals for which a run is not to blame: memory ran out, the terminal was closed. It is worth another try.
@@ -67,11 +66,8 @@ class Attempt:
         row = {"key": self.run.key, "label": self.run.label, "status": status, "reason": outcome.reason,
                "wall_seconds": outcome.wall, "cpu_seconds": outcome.cpu, **stamp(self.records.version(self.run))}
         if outcome.status == "done":
-            try:
-                with open_run(self.records.results(self.run)) as run:
-                    cost = run.cost
-            except MesogenError as error:
-                raise StudyError(f"{self.records.sweep.file}: {error}") from error
+            with results_of(self.records.results(self.run), self.records.sweep.file) as run:
+                cost = run.cost
             row |= {"wall_seconds": cost.wall_seconds, "cpu_seconds": cost.cpu_seconds,
                     "steps": cost.steps, "peak_memory": cost.peak_memory}
         return row

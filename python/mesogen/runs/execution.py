@@ -10,7 +10,8 @@ import subprocess
 import time
 from dataclasses import dataclass
 
-from ..errors import Interrupted, Refused
+from ..errors import Interrupted, MesogenError, Refused, StudyError
+from ..run import open as open_run
 from .overrides import set_arguments
 
 PAUSE = 0.02  # s between two looks whether a run is over
@@ -113,6 +114,16 @@ class Process:
         if code == 0:
             return Outcome("done", "", wall, cpu)
         return Outcome("failed", _reason(text, code), wall, cpu, max(0, -code))
+
+
+@contextlib.contextmanager
+def results_of(folder, file):
+    """A context manager of the mesogen.Run in a folder; what it lacks is a StudyError about the study `file`."""
+    try:
+        with open_run(folder) as run:
+            yield run
+    except MesogenError as error:
+        raise StudyError(f"{file}: {error}") from error
 
 
 def execute(program, case, overrides, folder, threads=1, timeout=None, tick=None):

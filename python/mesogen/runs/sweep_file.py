@@ -1,4 +1,4 @@
-"""A sweep as a TOML file, read and checked:
+"""A sweep as a TOML file:
 
     title = "Speed against activity"
     case = "../cases/active_turbulence/extensile.toml"  # relative to this file

@@ -51,6 +51,7 @@ class TableReader:
         self.known = []
 
     def place(self, key=""):
+        """Where a key, or the table itself, is, for messages: "FILE: TABLE.KEY"."""
         parts = [part for part in (self.path, key_text(key) if key else "") if part]
         return f"{self.file}: {'.'.join(parts)}" if parts else self.file
 
@@ -59,6 +60,7 @@ class TableReader:
         return os.path.normpath(os.path.join(os.path.dirname(self.file), name))
 
     def refuse(self, key, problem):
+        """Adds what is wrong with a key to `problems`."""
         self.problems.append(f"{self.place(key)}: {problem}")
 
     def __contains__(self, key):
@@ -139,6 +141,7 @@ class TableReader:
                 for name, table in (value or {}).items()}
 
     def finish(self):
+        """Refuses all keys that were not asked for."""
         for key in self.data:
             if key not in self.known:
                 self.refuse(key, f"no such key{nearest(key, self.known)}")

@@ -3,8 +3,9 @@
 import math
 from dataclasses import dataclass
 
-from ..errors import MesogenError, StudyError
+from ..errors import MesogenError
 from ..run import open as open_run
+from ..runs.execution import results_of
 from ..runs.statistics import standard_error, time_mean
 
 
@@ -61,13 +62,10 @@ def _of_run(records, run):
         status = records.status(run)
         reason = row["reason"] if row else "was broken off" if status == "begun" else "has not run yet"
         return RunValues(run, status, reason, ())
-    try:
-        with open_run(records.results(run)) as results:
-            check_series(results, quantities)
-            means = tuple(time_mean(*results.series(quantity.observer, quantity.series), quantity.start, quantity.end,
-                                    quantity.blocks, results.time_unit) for quantity in quantities)
-    except MesogenError as error:
-        raise StudyError(f"{records.sweep.file}: {error}") from error
+    with results_of(records.results(run), records.sweep.file) as results:
+        check_series(results, quantities)
+        means = tuple(time_mean(*results.series(quantity.observer, quantity.series), quantity.start, quantity.end,
+                                quantity.blocks, results.time_unit) for quantity in quantities)
     return RunValues(run, "done", "", means)
 
 

@@ -1,1 +1,1 @@
-"""The charts of studies. Each module draws one, deterministically: equal points give equal bytes."""
+"""The charts of studies, one module for each. Equal points give files with equal bytes."""

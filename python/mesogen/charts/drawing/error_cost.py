@@ -1,4 +1,4 @@
-"""Error against cost: a line a variant, and the Pareto front, which nobody beats in both."""
+"""Error against cost: one line per variant, and the Pareto front."""
 
 from ..analysis import by_variant, front
 from . import look
@@ -8,7 +8,7 @@ FRONT = "#22262b"
 
 
 def draw(title, subtitle, points):
-    """The page. points: of all variants, failures too; at least one that did not fail, above error 0."""
+    """The page. points: of all variants, with failed ones; at least one has an error above 0."""
     page, axes = look.chart(title, subtitle, lines=len(by_variant(points)) + 2)
     shown = [p for p in points if not p.failed and p.error > 0]
     failed = [p for p in points if p.failed]

@@ -1,4 +1,4 @@
-"""Error against resolution: a line a variant, with its fitted order in the legend."""
+"""Error against resolution: one line per variant, with its fitted order in the legend."""
 
 import math
 
@@ -31,7 +31,7 @@ def draw(title, subtitle, points):
 
 
 def thinned(resolutions, most=8):
-    """Resolutions for ticks: those that stand 12 % or more apart, no more than `most`."""
+    """Resolutions for ticks: at most `most`, at least 12 % apart."""
     ticks = []
     for one in resolutions:
         if not ticks or one >= 1.12 * ticks[-1]:

@@ -1,4 +1,4 @@
-"""Labels of points that cover neither lines, nor points, nor each other.
+"""Labels of points that do not cover lines, points or each other.
 
 Boxes are rows x0, y0, x1, y1 in pixels.
 """
@@ -17,11 +17,11 @@ Place = namedtuple("Place", "box tie relative")
 
 
 def place_labels(axes, labels, lines, **text):
-    """Writes each label beside its point, inside the axes, at the nearest place that is free; where none is, upon lines,
-    but never upon another label: rather it is left out.
+    """Writes each label beside its point, at the nearest free place inside the axes. If no place is free, the label may
+    cover lines, but never another label: then it is left out.
 
-    labels: (x, y, words) in data coordinates, in the order in which they choose; lines: what is drawn, each a list of
-    the (x, y) of its markers. text: how it is written.
+    labels: (x, y, words) in data coordinates; earlier ones choose first. lines: the drawn lines, each a list of the
+    (x, y) of its markers. text: keywords of annotate().
     """
     renderer = axes.figure.canvas.get_renderer()
     scale = axes.figure.dpi / 72.0
@@ -40,7 +40,7 @@ def place_labels(axes, labels, lines, **text):
         if not fitting:
             continue
         around = drawn[~((drawn[:, :2] <= at).all(1) & (at <= drawn[:, 2:]).all(1))]
-        chosen = min(fitting, key=lambda place: _hits(place, around))  # of equals the first, which is the nearest
+        chosen = min(fitting, key=lambda place: _hits(place, around))  # the first of equals is the nearest
         written = np.concatenate([written, chosen.box[None] + scale * np.array([-1, -1, 1, 1]), chosen.tie])
         axes.annotate(words, (x, y), xytext=(chosen.box[:2] - at) / scale, textcoords="offset points", ha="left",
                       va="bottom", **text,

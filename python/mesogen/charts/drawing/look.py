@@ -1,4 +1,4 @@
-"""What all charts share: colours that the colour-blind tell apart, logarithmic axes with readable ticks, and saving."""
+"""What all charts share: colours for colour-blind readers too, logarithmic axes with readable ticks, and saving."""
 
 import math
 import os
@@ -31,13 +31,13 @@ def settings():
 
 
 def look_of(number):
-    """Colour, marker and line of the n-th variant, as keywords of plot(): 77 that differ."""
+    """Colour, marker and line of the n-th variant, as keywords of plot(); 77 of them differ."""
     return {"color": COLOURS[number % len(COLOURS)], "marker": MARKERS[number % len(MARKERS)],
             "linestyle": LINES[number // len(COLOURS) % len(LINES)], "markersize": 4.5, "markeredgewidth": 0.0}
 
 
 def chart(title, subtitle="", lines=0, width=7.6, height=4.4, legend=2.3):
-    """(page, axes): one chart with room for a legend on the right, of so many lines; sizes in inches."""
+    """(page, axes) of a chart, with room on the right for a legend of `lines` lines. Sizes are in inches."""
     height = max(height, 1.1 + LEGEND_LINE * lines)
     page = style.page(width, height)
     left, bottom, top = 0.75, 0.55, 0.55
@@ -49,12 +49,13 @@ def chart(title, subtitle="", lines=0, width=7.6, height=4.4, legend=2.3):
 
 
 def legend(axes, **more):
+    """The legend on the right of the axes. more: keywords of legend()."""
     axes.legend(loc="upper left", bbox_to_anchor=(1.03, 1.0), borderaxespad=0.0, handlelength=2.4, labelspacing=0.55,
                 **more)
 
 
 def log_ticks(low, high):
-    """Positions of ticks from low to high: decades if there are four or more; else 1, 2, 5 between them too."""
+    """Positions of ticks from low to high: decades if there are four or more, else finer steps too."""
     decades = range(math.floor(math.log10(low)), math.ceil(math.log10(high)) + 1)
     for steps in ((1,), (1, 2, 5), (1, 1.5, 2, 3, 4, 5, 6, 7, 8, 9)):
         ticks = [m * 10.0**d for d in decades for m in steps if low <= m * 10.0**d <= high]
@@ -66,7 +67,7 @@ def log_ticks(low, high):
 def log_axis(axis, values, room=(0.12, 0.12), ticks=None):
     """A logarithmic axis over the values, with plain numbers at its ticks.
 
-    axis: axes.xaxis or axes.yaxis; room: shares of the range that are left free at either end.
+    axis: axes.xaxis or axes.yaxis; room: free space at either end, as shares of the range.
     """
     low, high = min(values), max(values)
     spread = max(math.log10(high / low), 0.3)
@@ -82,7 +83,7 @@ def log_axis(axis, values, room=(0.12, 0.12), ticks=None):
 
 
 def plain(value):
-    """12, 0.05, 3000, 2·10⁶: as short as it can be read."""
+    """A short text of a number: 12, 0.05, 3000, 2·10⁶."""
     if 1e-3 <= abs(value) < 1e4:
         return f"{value:g}"
     power = math.floor(math.log10(abs(value)))
@@ -92,7 +93,7 @@ def plain(value):
 
 
 def save(page, stem):
-    """Writes stem.png and stem.svg, without dates or versions. Returns their names."""
+    """Writes stem.png and stem.svg, without dates or versions in them. Returns the names of the files."""
     names = [f"{stem}.png", f"{stem}.svg"]
     for name, metadata in zip(names, ({"Software": None}, {"Date": None, "Creator": None}), strict=True):
         page.savefig(name + ".tmp", format=name[-3:], metadata=metadata)

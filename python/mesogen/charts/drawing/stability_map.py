@@ -1,4 +1,4 @@
-"""Where each variant fails, and how: over a second parameter as lines, without one as bars."""
+"""The map of where and how each variant fails: lines over a second parameter, or bars if there is none."""
 
 import math
 
@@ -14,7 +14,7 @@ HELD, FAILED, UNKNOWN = "#9ec9e2", "#f3c6a5", "#ececec"
 
 
 def draw(study, searches):
-    """The page. searches: what stability.py found, a Found for each cell."""
+    """The page. searches: the Found of each cell."""
     numbers = study.across_key and all(isinstance(value, (int, float)) for value in study.across_values)
     return _lines(study, searches) if numbers and len(study.across_values) > 1 else _bars(study, searches)
 
@@ -117,7 +117,7 @@ def _bars(study, searches):
 
 
 def _edges(axes, sweep, number, edges):
-    """The boundaries of one bar, each with its words on the side where it fails, if there is room."""
+    """The boundaries of one bar; if there is room, each has a text on the side where runs fail."""
     low, high = sorted((sweep.first, sweep.last))
 
     def share(value):
@@ -133,7 +133,7 @@ def _edges(axes, sweep, number, edges):
         span = (share(middle), share(middle) + length) if right else (share(middle) - length, share(middle))
         others = [(share(other), share(other)) for other in middles if other != middle]
         if any(span[0] < other[1] and other[0] < span[1] for other in taken + others):
-            continue  # the table has it
+            continue  # the table has this text too
         taken.append(span)
         axes.annotate(words, (middle, number), xytext=(6 if right else -6, 0), textcoords="offset points",
                       ha="left" if right else "right", va="center", fontsize=7.5, zorder=4)
