@@ -8,7 +8,7 @@ namespace mesogen::app {
 void add_chart(Verb& command) {
   const auto given = std::make_shared<Forwarded>(with_this_mesogen());
   Verb& verb = command.verb("chart", "Run a study of accuracy or stability, or go on with it, and chart results",
-                            [given] { return hand_over("chart", "mesogen.study", *given); });
+                            [given] { return hand_over("chart", "mesogen.charts", *given); });
   verb.argument("STUDY", given.get(), "Study file (TOML)");
   verb.option("--output", "DIR", given.get(),
               "Folder for figures of the runs, tables and charts (default: output/charts/<name of the study>)",

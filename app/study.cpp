@@ -8,7 +8,7 @@ namespace mesogen::app {
 void add_study(Verb& command) {
   const auto given = std::make_shared<Forwarded>(with_this_mesogen());
   Verb& verb = command.verb("study", "Run all that a study needs, or go on with it, and report which claims hold",
-                            [given] { return hand_over("study", "mesogen.claims", *given); });
+                            [given] { return hand_over("study", "mesogen.study", *given); });
   verb.argument("FOLDER", given.get(), "Folder of a study, for example studies/paper");
   verb.option("--output", "DIR", given.get(),
               "Folder for runs and report (default: output/studies/<name of the folder>)", {.letter = 'o'});

@@ -15,10 +15,10 @@ import sys
 PROJECT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 sys.path.insert(0, os.path.join(PROJECT, "python"))
 
-from mesogen.study.analysis import LEVELS, by_variant, cheapest, reach  # noqa: E402
-from mesogen.study.markdown import table_lines  # noqa: E402
-from mesogen.study.points import Point  # noqa: E402
-from mesogen.study.tables import percent, seconds  # noqa: E402
+from mesogen.charts.analysis import LEVELS, by_variant, cheapest, reach  # noqa: E402
+from mesogen.charts.points import Point  # noqa: E402
+from mesogen.charts.tables import percent, seconds  # noqa: E402
+from mesogen.runs.markdown import table_lines  # noqa: E402
 
 PUBLISHED, EULERIAN = "published", "eulerian"
 HEAD = """# The cheapest variant for each error

@@ -18,7 +18,7 @@ import numpy as np
 PROJECT = pathlib.Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(PROJECT / "python"))
 
-from mesogen.study.drawing import look  # noqa: E402
+from mesogen.charts.drawing import look  # noqa: E402
 
 FITTED_FROM = 16  # points per wave
 TEXT = """# Derivatives on disordered particles

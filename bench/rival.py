@@ -25,14 +25,14 @@ from dataclasses import dataclass
 from speed_runs import PROJECT, call, instruction_set, tell
 
 import mesogen as results
+from mesogen.charts.analysis import order, reach
+from mesogen.charts.drawing import look
+from mesogen.charts.measures import interpolate
+from mesogen.charts.points import Point
+from mesogen.charts.tables import percent
 from mesogen.figures import style
-from mesogen.study.analysis import order, reach
-from mesogen.study.drawing import look
-from mesogen.study.machine import machine_text, version_text
-from mesogen.study.markdown import table_lines
-from mesogen.study.measures import interpolate
-from mesogen.study.points import Point
-from mesogen.study.tables import percent
+from mesogen.runs.markdown import table_lines
+from mesogen.runs.program import machine_text, version_text
 
 CASE = PROJECT / "cases" / "accuracy" / "benchmark" / "case.toml"
 LENGTH, END = 10.0, 40.0  # m, s

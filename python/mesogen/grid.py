@@ -14,15 +14,16 @@ EMPTY = 1e-9  # sums of weights below this are of cells without particles
 class Grid:
     """A grid of nx x ny cells over a box with its origin at 0.
 
-    box: (Lx, Ly). shape: (nx, ny), at least 4 each. periodic: by axis; False between walls.
+    box: (Lx, Ly). shape: (nx, ny), at least 4 each. periodic: by axis; False between walls. length_unit: of the box, as
+    text.
     """
 
-    def __init__(self, box, shape, periodic=(True, True)):
+    def __init__(self, box, shape, periodic=(True, True), length_unit="m"):
         self.box = np.asarray(box, dtype=float)[:2]
         nx, ny = (int(n) for n in shape)
         if nx < 4 or ny < 4:
             raise ValueError(f"a grid needs at least 4 x 4 cells, not {nx} x {ny}")
-        self.shape = (ny, nx)
+        self.shape, self.length_unit = (ny, nx), length_unit
         self.periodic = tuple(bool(p) for p in periodic)
         self.cell = self.box / (nx, ny)
         self.x = (np.arange(nx) + 0.5) * self.cell[0]
@@ -30,14 +31,15 @@ class Grid:
         self.extent = (0.0, self.box[0], 0.0, self.box[1])
 
     @classmethod
-    def for_particles(cls, box, count, refine=1.0, periodic=(True, True)):
-        """The grid whose cells are the mean particle spacing / refine wide."""
+    def for_particles(cls, box, count, refine=1.0, periodic=(True, True), length_unit="m"):
+        """The grid whose cells are as wide as the mean particle spacing / refine. count: number of particles."""
         box = np.asarray(box, dtype=float)[:2]
         spacing = np.sqrt(box.prod() / max(count, 1)) / refine
-        return cls(box, np.maximum(4, np.rint(box / spacing)).astype(int), periodic)
+        return cls(box, np.maximum(4, np.rint(box / spacing)).astype(int), periodic, length_unit)
 
     def __repr__(self):
-        return f"<mesogen.Grid {self.shape[1]} x {self.shape[0]} cells over {self.box[0]:g} x {self.box[1]:g}>"
+        lengths = " x ".join(f"{length:g} {self.length_unit}" for length in self.box)
+        return f"<mesogen.Grid {self.shape[1]} x {self.shape[0]} cells over {lengths}>"
 
 
 class Deposit:
@@ -57,7 +59,7 @@ class Deposit:
         self.weight = self._sum(1.0)  # by cell; their total is the number of particles
 
     def __call__(self, values):
-        """The field at the cell centres, shape (ny, nx), from one number a particle; for smooth fields.
+        """The field at the cell centres, shape (ny, nx), from one number per particle; for smooth fields.
 
         A linear fit to the particles around each centre (moving least squares: disorder does not matter for linear
         fields), then once more what this missed at the particles: smooth fields to fourth order on a lattice. At jumps
@@ -86,7 +88,7 @@ class Deposit:
         sxx, sxy, syy = self._sum(dx * dx), self._sum(dx * dy), self._sum(dy * dy)
         row = np.stack([sxx * syy - sxy**2, sxy * sy - sx * syy, sx * sxy - sxx * sy])
         determinant = s * row[0] + sx * row[1] + sy * row[2]
-        # Too few particles for a slope: their mean instead. A lattice of one particle a cell has s^3 / 9.
+        # Too few particles for a slope: their mean instead. A lattice of one particle per cell has s^3 / 9.
         sound = determinant > 1e-3 * np.maximum(s, EMPTY) ** 3
         mean = np.stack([1 / np.maximum(s, EMPTY), np.zeros_like(s), np.zeros_like(s)])
         return np.where(sound, row / np.where(sound, determinant, 1.0), mean)
@@ -118,12 +120,12 @@ class Deposit:
         return moved
 
 
-def deposit(position, values, box, shape=None, periodic=(True, True)):
-    """Grid and gridded field of one particle field; see Deposit. shape (nx, ny): one cell a particle unless given."""
+def deposit(position, values, box, shape=None, periodic=(True, True), length_unit="m"):
+    """(Grid, gridded field) of one particle field; see Deposit. shape: (nx, ny), by default one particle per cell."""
     if shape is None:
-        grid = Grid.for_particles(box, len(position), periodic=periodic)
+        grid = Grid.for_particles(box, len(position), 1.0, periodic, length_unit)
     else:
-        grid = Grid(box, shape, periodic)
+        grid = Grid(box, shape, periodic, length_unit)
     return grid, Deposit(grid, position)(values)
 
 
@@ -187,8 +189,8 @@ def _stencil_weights(grid, position, weights_of):
 
 
 def _weights_along(grid, position, axis, weights_of):
-    """Weights of the four cells along an axis, (4, N). Behind a wall there are none: nothing is spread to them, and what
-    is read from them is extrapolated linearly from the two before the wall."""
+    """Weights of the four cells along an axis, (4, N). Behind a wall there are none: nothing is spread to them, and
+    what is read from them is extrapolated linearly from the two before the wall."""
     cell, offset = _cells_along(grid, position, axis)
     weight = np.stack(weights_of(offset[1]))
     if grid.periodic[axis]:

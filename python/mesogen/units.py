@@ -7,7 +7,7 @@ FACTOR = re.compile(r"([A-Za-z]+)([+-]\d+)?")
 
 
 def plain(unit):
-    """A unit that H5MD's units module spells, "kg m-3 s-1", as it is usually written: "kg/(m3 s)". Any other text stays."""
+    """A unit of H5MD's module `units`, "kg m-3 s-1", as it is usually written, "kg/(m3 s)". Any other text stays."""
     above, below = [], []
     for factor in unit.split(" "):
         match = FACTOR.fullmatch(factor)

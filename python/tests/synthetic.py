@@ -43,10 +43,10 @@ def order_tensor(position, frame=0):
 class Results:
     """Writes a results.h5."""
 
-    def __init__(self, folder):
+    def __init__(self, folder, name="results.h5"):
         os.makedirs(folder, exist_ok=True)
         self.folder = str(folder)
-        self.path = os.path.join(self.folder, "results.h5")
+        self.path = os.path.join(self.folder, name)
         self.file = h5py.File(self.path, "w")
         self.file.create_group("h5md").attrs["version"] = [1, 1]
         fluid = self.file.create_group("particles/fluid")

@@ -24,7 +24,8 @@ def on(cells):
 
 class Layout(unittest.TestCase):
     def test_rows_are_y(self):
-        cells = grid.Grid((10, 5), (20, 5))
+        cells = grid.Grid((10, 5), (20, 5), length_unit="um")
+        self.assertEqual(repr(cells), "<mesogen.Grid 20 x 5 cells over 10 um x 5 um>")
         self.assertEqual(cells.shape, (5, 20))
         np.testing.assert_allclose(cells.x[[0, -1]], [0.25, 9.75])
         np.testing.assert_allclose(cells.y, [0.5, 1.5, 2.5, 3.5, 4.5])

@@ -78,7 +78,8 @@ class Reading(synthetic.FolderTest):
         self.assertEqual(self.run_.version, "0.1.0")
 
     def test_says_what_it_is(self):
-        self.assertIn("288 particles, 3 frames to t = 2 s", repr(self.run_))
+        self.assertEqual(repr(self.run_), f"<mesogen.Run {self.folder!r}: 288 particles, 3 frames to t = 2 s; fields "
+                         "colour, order_tensor, position, velocity; observers blend, knots, stream, tracers>")
         self.run_.close()
         self.assertIn("closed", repr(self.run_))
 
@@ -134,14 +135,36 @@ class RunInProgress(synthetic.FolderTest):
         results.observable("stream", "v_rms", "m/s", [0.0])
         with mesogen.open(results.close()) as run:
             self.assertEqual(len(run.times), 0)
-            self.assertEqual(run.count, 0)
-            self.assertIn("no frames", repr(run))
+            self.assertEqual(run.count, 288)
+            self.assertEqual(repr(run), f"<mesogen.Run {self.folder!r}: 288 particles, no frames; observers stream>")
             with self.assertRaises(mesogen.NoSuchName) as error:
                 run.frame_at(1.0)
             self.assert_text(error, "holds 0 frames")
             with self.assertRaises(mesogen.NoSuchName) as error:
                 run["velocity"]
             self.assert_text(error, "it holds no field at all")
+
+
+class Replayed(synthetic.FolderTest):
+    def test_a_file_of_samples_alone(self):
+        """`mesogen replay` writes samples, the box and the ids, but no frames, to replay.h5 beside results.h5."""
+        synthetic.complete(self.folder)
+        results = synthetic.Results(self.folder, "replay.h5")
+        results.observable("stream", "v_rms", "um ms-1", [0.0, 0.1])
+        results.file["observables/stream/v_rms/time"].attrs["unit"] = "ms"
+        results.close()
+        with mesogen.open(results.path) as run:
+            self.assertEqual((run.count, run.time_unit, run.fields), (288, "ms", []))
+            self.assertEqual(repr(run), f"<mesogen.Run {results.path!r}: 288 particles, no frames; observers stream>")
+            np.testing.assert_array_equal(run.id, np.arange(288))
+
+    def test_ids_of_each_frame(self):
+        results = synthetic.Results(self.folder)
+        del results.file["particles/fluid/id"]
+        results.field("id", "1", [[3, 5, 8]] * 2)
+        with mesogen.open(results.close()) as run:
+            np.testing.assert_array_equal(run.id, [3, 5, 8])
+            self.assertEqual(run.count, 3)
 
 
 class NothingToRead(synthetic.FolderTest):

@@ -2,9 +2,9 @@
 
 import numpy as np
 
-from mesogen.claims import above
-from mesogen.claims.verdict import all_of
 from mesogen.figures import style
+from mesogen.study import above
+from mesogen.study.verdict import all_of
 
 TITLE = "Speed against activity"
 FIGURE = "root mean square velocity against activity"

@@ -4,8 +4,8 @@ import math
 
 import numpy as np
 
-from mesogen.claims import DOES_NOT_HOLD, HOLDS, NOT_RESOLVED, agrees, ratio
 from mesogen.figures import style
+from mesogen.study import DOES_NOT_HOLD, HOLDS, NOT_RESOLVED, agrees, ratio
 
 TITLE = "Correlations and length scales"
 FIGURE = "vorticity-vorticity correlation"

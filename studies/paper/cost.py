@@ -8,9 +8,9 @@ import csv
 import math
 import pathlib
 
-from mesogen.claims import DOES_NOT_HOLD, HOLDS, NOT_RESOLVED, decided
 from mesogen.errors import MesogenError
 from mesogen.figures import style
+from mesogen.study import DOES_NOT_HOLD, HOLDS, NOT_RESOLVED, decided
 
 TITLE = "Cost of a step, and of a grid"
 FIGURE = "share of each part of a step; speed-up over a serial finite-volume solver against resolution"

@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from mesogen.claims import decided
 from mesogen.figures import style
+from mesogen.study import decided
 
 TITLE = "Flow about a +1/2 defect"
 FIGURE = "average +1/2 defect flow at ζ = 0.05 Pa"

@@ -2,11 +2,11 @@
 
 import numpy as np
 
-from mesogen.claims import HOLDS, above
-from mesogen.claims.estimate import Estimate
-from mesogen.claims.verdict import DOES_NOT_HOLD, all_of
 from mesogen.figures import director, style
 from mesogen.figures.scene import Scene
+from mesogen.study import HOLDS, above
+from mesogen.study.estimate import Estimate
+from mesogen.study.verdict import DOES_NOT_HOLD, all_of
 
 TITLE = "Director and topological defects"
 FIGURE = "particle alignment and topological defects at ζ = ±0.023 Pa"

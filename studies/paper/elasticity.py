@@ -2,10 +2,10 @@
 
 import numpy as np
 
-from mesogen.claims import above, agrees, exponent, over_seeds
-from mesogen.claims.verdict import all_of
 from mesogen.figures import director, style, vorticity
 from mesogen.figures.scene import Scene
+from mesogen.study import above, agrees, exponent, over_seeds
+from mesogen.study.verdict import all_of
 
 TITLE = "The elastic constant"
 FIGURE = "vorticity, defects and mixing at K = 0.02, 0.05, 0.1 N"

@@ -1,6 +1,6 @@
 """Weakly compressible SPH beside the flow without sound."""
 
-from mesogen.claims import agrees, ratio
+from mesogen.study import agrees, ratio
 
 TITLE = "Weakly compressible or without sound"
 FIGURE = "(none: why the study may use the cheaper flow)"

@@ -2,9 +2,9 @@
 
 import numpy as np
 
-from mesogen.claims import above, over_seeds
-from mesogen.claims.verdict import all_of
 from mesogen.figures import style
+from mesogen.study import above, over_seeds
+from mesogen.study.verdict import all_of
 
 TITLE = "Mixing"
 FIGURE = "mixing at t = 45, 252, 500 s"

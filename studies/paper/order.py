@@ -2,10 +2,10 @@
 
 import numpy as np
 
-from mesogen.claims import decided, over_seeds
 from mesogen.figures import style
 from mesogen.figures.director import ORDER_COLOURS, draw_defects
 from mesogen.figures.scene import Scene
+from mesogen.study import decided, over_seeds
 
 TITLE = "Nematic order"
 FIGURE = "contour of the nematic order at ζ = ±0.023 Pa"

@@ -2,10 +2,10 @@
 
 import numpy as np
 
-from mesogen.claims import above, over_seeds
-from mesogen.claims.verdict import all_of
 from mesogen.figures import style
 from mesogen.figures.pathlines import wrapped_segments
+from mesogen.study import above, over_seeds
+from mesogen.study.verdict import all_of
 
 TITLE = "Pathlines"
 FIGURE = "pathlines of five particles"

@@ -2,9 +2,9 @@
 
 import numpy as np
 
-from mesogen.claims import agrees, over_seeds, ratio
-from mesogen.claims.verdict import all_of
 from mesogen.figures import style
+from mesogen.study import agrees, over_seeds, ratio
+from mesogen.study.verdict import all_of
 
 TITLE = "Spectrum of the kinetic energy"
 FIGURE = "spectrum of the kinetic energy for different particle resolutions"

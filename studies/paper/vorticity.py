@@ -1,8 +1,8 @@
 """Vorticity and streamlines of a thin fluid at three magnifications."""
 
-from mesogen.claims import HOLDS, NOT_RESOLVED, Estimate, above
 from mesogen.figures import director, style, vorticity
 from mesogen.figures.scene import Scene
+from mesogen.study import HOLDS, NOT_RESOLVED, Estimate, above
 
 TITLE = "Active turbulence"
 FIGURE = "vorticity and streamlines at ζ = ±0.03 Pa, μ = 0.1 Pa s"

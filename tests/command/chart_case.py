@@ -1,6 +1,5 @@
 """A small scene, its answer and a study of it, for the tests of chart."""
 
-import csv
 import os
 
 from support import CommandTest
@@ -62,22 +61,12 @@ resolutions = [8]
 class ChartTest(CommandTest):
     def setUp(self):
         super().setUp()
-        os.mkdir(self.path("scene"))
         self.write(CASE, "scene/case.toml")
         self.write(ANSWER, "scene/answer.toml")
         self.write(STUDY, "study.toml")
 
-    def write(self, text, name):
-        with open(self.path(*name.split("/")), "w", encoding="utf-8") as file:
-            file.write(text)
-
-    def read(self, *parts):
-        with open(self.path(*parts), encoding="utf-8") as file:
-            return file.read()
-
     def runs(self):
-        with open(self.path("out", "runs.csv"), encoding="utf-8", newline="") as file:
-            return list(csv.DictReader(file))
+        return self.table("out", "runs.csv")
 
     def chart(self, *arguments, **more):
         return self.mesogen("chart", "study.toml", "--output", "out", *arguments, **more)

@@ -1,8 +1,10 @@
 """Helpers of the tests of the command: run it, and a small case that is right."""
 
+import csv
 import os
 import subprocess
 import tempfile
+import time
 import unittest
 
 from small_case import CASE  # noqa: F401 for the tests that import it from here
@@ -27,10 +29,25 @@ class CommandTest(unittest.TestCase):
     def path(self, *parts):
         return os.path.join(self.folder, *parts)
 
-    def write_case(self, text=CASE, name="case.toml"):
-        with open(self.path(name), "w", encoding="utf-8") as file:
+    def write(self, text, *name):
+        """Writes a file, and makes the folders in which it lies. Returns its path."""
+        os.makedirs(os.path.dirname(self.path(*name)), exist_ok=True)
+        with open(self.path(*name), "w", encoding="utf-8") as file:
             file.write(text)
-        return self.path(name)
+        return self.path(*name)
+
+    def write_case(self, text=CASE, name="case.toml"):
+        return self.write(text, name)
+
+    def read(self, *name):
+        """The text of a file."""
+        with open(self.path(*name), encoding="utf-8") as file:
+            return file.read()
+
+    def table(self, *name):
+        """The rows of a CSV file, each a dictionary of texts."""
+        with open(self.path(*name), encoding="utf-8", newline="") as file:
+            return list(csv.DictReader(file))
 
     def environment(self, **more):
         kept = {name: value for name, value in os.environ.items() if not name.startswith("MESOGEN_")}
@@ -42,3 +59,19 @@ class CommandTest(unittest.TestCase):
                               capture_output=True, timeout=300, check=False)
         self.assertEqual(done.returncode, code, f"mesogen {' '.join(arguments)}: {done.stdout}{done.stderr}")
         return done.stdout, done.stderr
+
+    def start(self, *arguments, **how):
+        """Starts the command and returns the process, whose stderr is a pipe. how: further arguments of Popen."""
+        process = subprocess.Popen([MESOGEN, *arguments], cwd=self.folder, env=self.environment(), text=True,
+                                   stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, **how)
+        self.addCleanup(process.wait)
+        self.addCleanup(process.kill)
+        return process
+
+    def wait_for(self, process, *name):
+        """Waits until a process has written a file."""
+        deadline = time.time() + 60
+        while not os.path.exists(self.path(*name)):
+            self.assertLess(time.time(), deadline, f"no {os.path.join(*name)}")
+            self.assertIsNone(process.poll(), "ended too early")
+            time.sleep(0.01)

@@ -1,11 +1,9 @@
 """A small case that takes seeds, and a sweep of it, for the tests of sweep."""
 
-import csv
 import os
-import subprocess
 
 from small_case import CASE as SMALL
-from support import MESOGEN, CommandTest
+from support import CommandTest
 
 MODES = 'type = "modes"\nmodes = [[1, 0, 0.2, 0.3], [0, 1, 0.1, 1.1]]'
 CASE = SMALL.replace(MODES, 'type = "perturbed"\namplitude = 0.3\nseed = 1')
@@ -42,28 +40,11 @@ class SweepTest(CommandTest):
         self.write(CASE, "case.toml")
         self.write(SWEEP, "sweep.toml")
 
-    def write(self, text, *name):
-        with open(self.path(*name), "w", encoding="utf-8") as file:
-            file.write(text)
-
-    def read(self, *parts):
-        with open(self.path(*parts), encoding="utf-8") as file:
-            return file.read()
-
-    def table(self, name, folder="out"):
-        with open(self.path(folder, name), encoding="utf-8", newline="") as file:
-            return list(csv.DictReader(file))
-
     def sweep(self, *arguments, **more):
         return self.mesogen("sweep", "sweep.toml", "--output", "out", *arguments, **more)
 
-    def start(self, *arguments):
-        """The sweep as a process, not waited for."""
-        process = subprocess.Popen([MESOGEN, "sweep", "sweep.toml", "--output", "out", *arguments], cwd=self.folder,
-                                   env=self.environment(), stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
-        self.addCleanup(process.communicate)
-        self.addCleanup(process.kill)
-        return process
+    def start_sweep(self, *arguments):
+        return self.start("sweep", "sweep.toml", "--output", "out", *arguments)
 
     def refusal(self, sweep, *arguments):
         """What is said against a sweep; nothing was run."""

@@ -1,17 +1,13 @@
 """chart: studies, from the file to the charts."""
 
-import csv
 import fcntl
 import os
 import pathlib
 import re
 import signal
-import subprocess
-import time
 import unittest
 
 from chart_case import CASE, STUDY, ChartTest
-from support import MESOGEN
 
 FAILS = """\
 [variant.runs_away]
@@ -51,10 +47,9 @@ class Chart(ChartTest):
         self.assertRegex(table, r"Mesogen: mesogen \d+\.\d+\.\d+ \(")
         self.assertRegex(table, r"\| wendland_c2 \| +8 \| +[\d.]+ % \|.*another kernel")
         self.assertRegex(table, r"(?m)^\| +10 % \| (default|wendland_c2|short) ")
-        with open(self.path("out", "points.csv"), encoding="utf-8", newline="") as file:
-            self.assertEqual([(p["variant"], p["resolution"], p["runs"]) for p in csv.DictReader(file)],
-                             [("default", "8", "2"), ("default", "12", "2"), ("default", "16", "2"), ("wendland_c2", "8", "2"),
-                              ("wendland_c2", "12", "2"), ("wendland_c2", "16", "2"), ("short", "8", "2")])
+        self.assertEqual([(p["variant"], p["resolution"], p["runs"]) for p in self.table("out", "points.csv")],
+                         [("default", "8", "2"), ("default", "12", "2"), ("default", "16", "2"), ("wendland_c2", "8", "2"),
+                          ("wendland_c2", "12", "2"), ("wendland_c2", "16", "2"), ("short", "8", "2")])
 
         before = {name: pathlib.Path(self.path("out", name)).read_bytes()
                   for name in ("runs.csv", "error_cost.svg", "error_cost.png")}
@@ -88,9 +83,7 @@ class Chart(ChartTest):
 
     def test_a_killed_study_goes_on(self):
         self.write(STUDY.replace("[8, 12, 16]", "[8, 12, 40]"), "study.toml")
-        study = subprocess.Popen([MESOGEN, "chart", "study.toml", "--output", "out"], cwd=self.folder, text=True,
-                                 env=self.environment(), stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
-        self.addCleanup(study.kill)
+        study = self.start("chart", "study.toml", "--output", "out")
         while "default 12" not in study.stderr.readline():
             self.assertIsNone(study.poll())
         study.kill()
@@ -107,12 +100,8 @@ class Chart(ChartTest):
 
     def test_an_interrupted_study_stops_its_run(self):
         self.write(STUDY.replace("[8, 12, 16]", "[100]"), "study.toml")
-        study = subprocess.Popen([MESOGEN, "chart", "study.toml", "--output", "out"], cwd=self.folder, text=True,
-                                 env=self.environment(), stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
-        self.addCleanup(study.kill)
-        while not os.path.exists(self.path("out", "run", "run.log")):
-            self.assertIsNone(study.poll())
-            time.sleep(0.02)
+        study = self.start("chart", "study.toml", "--output", "out")
+        self.wait_for(study, "out", "run", "run.log")
         study.send_signal(signal.SIGTERM)
         _, err = study.communicate(timeout=30)
         self.assertEqual(study.returncode, 130)

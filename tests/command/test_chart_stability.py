@@ -1,13 +1,10 @@
 """chart, of a study of stability: from the file to the map."""
 
-import csv
 import os
 import pathlib
-import subprocess
 import unittest
 
-from chart_case import ANSWER, CASE
-from support import MESOGEN, CommandTest
+from chart_case import ANSWER, CASE, ChartTest
 
 STUDY = """\
 title = "Steps that are too long"
@@ -38,34 +35,19 @@ note = "half as far"
 """
 
 
-class Stability(CommandTest):
+class Stability(ChartTest):
     def setUp(self):
         super().setUp()
-        os.mkdir(self.path("scene"))
-        self.write("scene/case.toml", CASE)
-        self.write("scene/answer.toml", ANSWER)
-        self.write("study.toml", STUDY)
+        self.write(STUDY, "study.toml")
 
-    def write(self, name, text):
-        pathlib.Path(self.path(*name.split("/"))).write_text(text, encoding="utf-8")
-
-    def rows(self, name):
-        with open(self.path("out", name), encoding="utf-8", newline="") as file:
-            return list(csv.DictReader(file))
-
-    def chart(self, *arguments, **more):
-        return self.mesogen("chart", "study.toml", "--output", "out", *arguments, **more)
-
-    def refusal(self, old, new):
+    def refusal_of(self, old, new):
+        """What is said against the study with other words in it."""
         self.assertIn(old, STUDY)
-        self.write("study.toml", STUDY.replace(old, new))
-        _, err = self.chart(code=2)
-        self.assertFalse(os.path.exists(self.path("out", "runs.csv")))
-        return err.replace("study.toml: ", "")
+        return self.refusal(STUDY.replace(old, new)).replace("study.toml: ", "")
 
     def test_finds_boundaries_and_draws_their_map(self):
         out, err = self.chart()
-        found = self.rows("boundaries.csv")
+        found = self.table("out", "boundaries.csv")
         self.assertEqual([(row["variant"], row["physics.flow.viscosity"], row["state"]) for row in found],
                          [(variant, across, "boundary") for variant in ("default", "half") for across in ("0.05", "0.1")])
         for row in found:
@@ -74,12 +56,12 @@ class Stability(CommandTest):
             self.assertLess(inside, outside)
             self.assertLessEqual(outside / inside, 2.0)
             self.assertTrue(row["how"] and row["reason"])
-        for run in self.rows("runs.csv"):
+        for run in self.table("out", "runs.csv"):
             self.assertEqual(run["how"] == "", run["reason"] == "")
         for name in ("map.png", "map.svg"):
             self.assertGreater(os.path.getsize(self.path("out", name)), 5000)
 
-        text = pathlib.Path(self.path("out", "map.md")).read_text(encoding="utf-8")
+        text = self.read("out", "map.md")
         self.assertIn(text, out)
         self.assertIn("A run fails if mesogen stops it, or by two particles nearer than 0.3 spacings (clumping), a density changed "
                       "by more than 3 % (density), kinetic energy grown by more than 5 % (energy), momentum changed by more than "
@@ -97,29 +79,27 @@ class Stability(CommandTest):
         self.assertEqual(pathlib.Path(self.path("out", "map.png")).read_bytes(), before)
 
     def test_a_killed_study_goes_on(self):
-        study = subprocess.Popen([MESOGEN, "chart", "study.toml", "--output", "out", "--only", "default"], cwd=self.folder, text=True,
-                                 env=self.environment(), stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
-        self.addCleanup(study.kill)
+        study = self.start("chart", "study.toml", "--output", "out", "--only", "default")
         for _ in range(3):
             study.stderr.readline()
         study.kill()
         study.communicate()
-        kept = self.rows("runs.csv")
+        kept = self.table("out", "runs.csv")
         self.assertGreaterEqual(len(kept), 3)
         self.chart("--quiet", "--only", "default")
-        self.assertEqual(self.rows("runs.csv")[: len(kept)], kept)
-        values = [(row["variant"], row["across"], row["value"]) for row in self.rows("runs.csv")]
+        self.assertEqual(self.table("out", "runs.csv")[: len(kept)], kept)
+        values = [(row["variant"], row["across"], row["value"]) for row in self.table("out", "runs.csv")]
         self.assertEqual(len(set(values)), len(values))
 
     def test_a_range_without_a_boundary(self):
-        self.write("study.toml", STUDY.replace("to = 30.0", "to = 1.1"))
+        self.write(STUDY.replace("to = 30.0", "to = 1.1"), "study.toml")
         out, _ = self.chart("--only", "default")
-        self.assertEqual({row["state"] for row in self.rows("boundaries.csv")}, {"holds over the whole range"})
-        self.assertEqual(len(self.rows("runs.csv")), 4)
+        self.assertEqual({row["state"] for row in self.table("out", "boundaries.csv")}, {"holds over the whole range"})
+        self.assertEqual(len(self.table("out", "runs.csv")), 4)
         self.assertNotIn("Just inside", out)
-        self.write("study.toml", STUDY.replace("from = 1.0", "from = 29.0"))
+        self.write(STUDY.replace("from = 1.0", "from = 29.0"), "study.toml")
         self.chart("--only", "default")
-        self.assertEqual({row["state"] for row in self.rows("boundaries.csv")}, {"fails over the whole range"})
+        self.assertEqual({row["state"] for row in self.table("out", "boundaries.csv")}, {"fails over the whole range"})
 
     def test_list(self):
         out, _ = self.chart("--list", "--only", "half")
@@ -130,36 +110,36 @@ class Stability(CommandTest):
         self.assertEqual(self.chart("--draw-only", code=2)[1], "error: out: nothing has run yet; leave out --draw-only\n")
 
     def test_what_is_wrong_with_a_study(self):
-        self.assertEqual(self.refusal('key = "time.factor"\nfrom = 1.0', "form = 0.5"),
+        self.assertEqual(self.refusal_of('key = "time.factor"\nfrom = 1.0', "form = 0.5"),
                          "errors:\nsweep.key: is missing; it is a text\nsweep.from: is missing; it is a number\n"
                          "sweep.form: no such key; did you mean 'from'?\n")
-        self.assertEqual(self.refusal("from = 1.0", "from = 0.0"), 'error: sweep.scale: a "log" scale needs from and to above 0\n')
-        self.assertEqual(self.refusal("to = 30.0", "to = 1.0"), "error: sweep.to: is the same as from\n")
-        self.assertEqual(self.refusal("tolerance = 1.0", 'tolerance = 1.0\ntemplate = "[{}, {}]"'),
+        self.assertEqual(self.refusal_of("from = 1.0", "from = 0.0"), 'error: sweep.scale: a "log" scale needs from and to above 0\n')
+        self.assertEqual(self.refusal_of("to = 30.0", "to = 1.0"), "error: sweep.to: is the same as from\n")
+        self.assertEqual(self.refusal_of("tolerance = 1.0", 'tolerance = 1.0\ntemplate = "[{}, {}]"'),
                          'error: sweep.template: must be a value of TOML with one {} where the number goes, such as "[{}, 1.0]"\n')
-        self.assertEqual(self.refusal("values = [0.05, 0.1]", "values = []"),
+        self.assertEqual(self.refusal_of("values = [0.05, 0.1]", "values = []"),
                          "error: across.values: must be a list of one or more numbers or texts\n")
-        self.assertEqual(self.refusal("energy = 0.05", "enrgy = 0.05"), "error: judge.enrgy: no such key; did you mean 'energy'?\n")
-        self.assertEqual(self.refusal("energy = 0.05", "energy = true"), "error: judge.energy: must be a number above 0\n")
-        self.assertEqual(self.refusal('"time.end" = 0.2', '"time.factor" = 0.2'),
+        self.assertEqual(self.refusal_of("energy = 0.05", "enrgy = 0.05"), "error: judge.enrgy: no such key; did you mean 'energy'?\n")
+        self.assertEqual(self.refusal_of("energy = 0.05", "energy = true"), "error: judge.energy: must be a number above 0\n")
+        self.assertEqual(self.refusal_of('"time.end" = 0.2', '"time.factor" = 0.2'),
                          'error: variant.half."time.factor": is swept; leave it out\n')
 
     def test_an_answer_beyond_the_end(self):
-        self.write("scene/answer.toml", ANSWER.replace("at = [0.2]", "at = [0.5]"))
-        self.assertEqual(self.refusal("error = false", "error = 0.2"),
+        self.write(ANSWER.replace("at = [0.2]", "at = [0.5]"), "scene/answer.toml")
+        self.assertEqual(self.refusal_of("error = false", "error = 0.2"),
                          "error: end: the scene's answer is for t = 0.5 s; run to there, or say error = false in [judge]\n")
         os.remove(self.path("scene", "answer.toml"))
-        self.assertEqual(self.refusal("error = false", "error = 0.2"),
+        self.assertEqual(self.refusal_of("error = false", "error = 0.2"),
                          "error: judge.error: there is no answer.toml beside the case to compare with; leave it out\n")
 
     def test_what_mesogen_refuses(self):
-        err = self.refusal('key = "time.factor"', 'key = "time.facto"')
+        err = self.refusal_of('key = "time.factor"', 'key = "time.facto"')
         self.assertIn('default, 0.05, time.facto = 1; default, 0.05, time.facto = 30; default, 0.1, time.facto = 1; ', err)
         self.assertIn('--set: time.facto: unknown key; did you mean "factor"?', err)
 
     def test_a_case_without_flow_statistics(self):
-        self.write("scene/case.toml", CASE.replace("[observers.flow]\ntype = \"flow_statistics\"", "[observers.flow]\ntype = \"pathlines\""))
-        self.write("study.toml", STUDY)
+        self.write(CASE.replace("[observers.flow]\ntype = \"flow_statistics\"", "[observers.flow]\ntype = \"pathlines\""), "scene/case.toml")
+        self.write(STUDY, "study.toml")
         _, err = self.chart(code=2)
         self.assertIn("the case has no observer of type flow_statistics, by which runs are judged; add one to the case", err)
         self.assertFalse(os.path.exists(self.path("out", "runs.csv")), "nothing was run")

@@ -3,28 +3,21 @@
 import os
 import shutil
 import signal
-import subprocess
 import time
 import unittest
 
 import h5py
 import numpy
-from support import CASE, MESOGEN, CommandTest
+from support import CASE, CommandTest
 
 LONGER = CASE.replace("end = 0.1", "end = 1.0").replace("[output]", "[output]\ncheckpoint_interval = 0.05")
 
 
 class Interruption(CommandTest):
-    def start(self, *arguments):
-        """Starts the command and waits until it has written its first checkpoint."""
-        process = subprocess.Popen([MESOGEN, *arguments], cwd=self.folder, env=self.environment(), text=True,
-                                   stdout=subprocess.PIPE, stderr=subprocess.PIPE)
-        self.addCleanup(process.kill)
-        deadline = time.time() + 60
-        while not os.path.exists(self.path("out", "checkpoint_a.h5")):
-            self.assertLess(time.time(), deadline, "no checkpoint")
-            self.assertIsNone(process.poll(), "ended too early")
-            time.sleep(0.01)
+    def start_run(self, case):
+        """Starts a run and waits until it has written its first checkpoint."""
+        process = self.start("run", case, "--output", "out")
+        self.wait_for(process, "out", "checkpoint_a.h5")
         return process
 
     def final(self, folder):
@@ -41,7 +34,7 @@ class Interruption(CommandTest):
     def test_interrupt_writes_a_checkpoint_and_resume_goes_on(self):
         case = self.write_case(LONGER)
         for stop in (signal.SIGINT, signal.SIGTERM):
-            process = self.start("run", case, "--output", "out")
+            process = self.start_run(case)
             process.send_signal(stop)
             _, err = process.communicate(timeout=60)
             self.assertEqual(process.returncode, 130, err)
@@ -54,7 +47,7 @@ class Interruption(CommandTest):
 
     def test_kill_and_resume_give_the_same_bits(self):
         case = self.write_case(LONGER)
-        process = self.start("run", case, "--output", "out")
+        process = self.start_run(case)
         time.sleep(0.2)
         process.kill()
         process.communicate()
@@ -66,7 +59,7 @@ class Interruption(CommandTest):
         if "(baseline)" in info:
             self.skipTest("this processor or build has the baseline alone")
         built_for = info.split("wcsph.so (")[1].split(")")[0]
-        process = self.start("run", self.write_case(LONGER), "--output", "out")
+        process = self.start_run(self.write_case(LONGER))
         process.send_signal(signal.SIGINT)
         process.communicate(timeout=60)
         _, err = self.mesogen("resume", "out", MESOGEN_SIMD="baseline")
@@ -75,14 +68,14 @@ class Interruption(CommandTest):
                               rf"processor or MESOGEN_SIMD chooses \(derivatives {built_for}, wcsph baseline, .*\)")
 
     def test_resume_on_the_same_processor_warns_of_nothing(self):
-        process = self.start("run", self.write_case(LONGER), "--output", "out")
+        process = self.start_run(self.write_case(LONGER))
         process.send_signal(signal.SIGINT)
         process.communicate(timeout=60)
         _, err = self.mesogen("resume", "out")
         self.assertNotIn("warning", err)
 
     def test_folder_in_use_is_refused(self):
-        process = self.start("run", self.write_case(LONGER), "--output", "out")
+        process = self.start_run(self.write_case(LONGER))
         _, err = self.mesogen("resume", "out", code=2)
         self.assertIn("another run is writing into out", err)
         process.send_signal(signal.SIGINT)

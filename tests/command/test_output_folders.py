@@ -17,10 +17,6 @@ class OutputFolders(CommandTest):
         super().setUp()
         os.makedirs(self.path("used", "bin"))
 
-    def write(self, text, *name):
-        os.makedirs(os.path.dirname(self.path(*name)), exist_ok=True)
-        self.write_case(text, os.path.join(*name))
-
     def refused(self, *arguments, words=REFUSED):
         _, err = self.mesogen(*arguments, "--output", "used", code=2)
         self.assertRegex(err, words)

@@ -10,10 +10,6 @@ KINDS = ("kernel", "boundary", "physics", "observer")
 
 
 class PluginNew(CommandTest):
-    def read(self, *parts):
-        with open(self.path(*parts), encoding="utf-8") as file:
-            return file.read()
-
     def refused(self, *arguments):
         _, err = self.mesogen("plugin", "new", *arguments, code=2)
         return err

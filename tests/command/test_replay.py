@@ -2,13 +2,11 @@
 
 import os
 import signal
-import subprocess
-import time
 import unittest
 
 import h5py
 import numpy
-from support import CASE, MESOGEN, CommandTest
+from support import CASE, CommandTest
 
 OBSERVERS = """
 [observers.flow]
@@ -116,13 +114,8 @@ class Replay(CommandTest):
 
     def test_run_that_was_killed(self):
         case = self.write_case(RUN.replace("end = 0.5", "end = 500.0"))
-        process = subprocess.Popen([MESOGEN, "run", case, "--output", "out"], cwd=self.folder, env=self.environment(),
-                                   stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-        self.addCleanup(process.kill)
-        deadline = time.time() + 60
-        while not os.path.exists(self.path("out", "frames", "000002.h5")):
-            self.assertLess(time.time(), deadline, "no frames")
-            time.sleep(0.01)
+        process = self.start("run", case, "--output", "out")
+        self.wait_for(process, "out", "frames", "000002.h5")
         self.assertIn("another run is writing into out", self.refused("out"))
         process.send_signal(signal.SIGKILL)
         process.wait()

@@ -9,7 +9,7 @@ import h5py
 from support import PROJECT, CommandTest
 
 sys.path.insert(0, os.path.join(PROJECT, "python"))
-from mesogen.study.measures import MEASURES  # noqa: E402
+from mesogen.charts.measures import MEASURES  # noqa: E402
 
 SCENES = os.path.join(PROJECT, "cases", "accuracy")
 NAMES = sorted(os.listdir(SCENES))

@@ -8,8 +8,8 @@ from support import MESOGEN, PROJECT, CommandTest
 
 sys.path.insert(0, os.path.join(PROJECT, "python"))
 
-from mesogen.study.__main__ import read_study  # noqa: E402
-from mesogen.study.stability import run_trial  # noqa: E402
+from mesogen.charts.__main__ import read_study  # noqa: E402
+from mesogen.charts.stability import run_trial  # noqa: E402
 
 
 class Boundaries(CommandTest):

@@ -18,19 +18,6 @@ NOBODY = 65534
 
 
 class Storage(CommandTest):
-    def start(self, *arguments, **how):
-        process = subprocess.Popen([MESOGEN, *arguments], cwd=self.folder, env=self.environment(), text=True,
-                                   stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, **how)
-        self.addCleanup(process.kill)
-        return process
-
-    def wait_for(self, process, *parts):
-        deadline = time.time() + 60
-        while not os.path.exists(self.path(*parts)):
-            self.assertLess(time.time(), deadline, f"no {parts}")
-            self.assertIsNone(process.poll(), "ended too early")
-            time.sleep(0.01)
-
     def failure(self, process, code=1):
         _, err = process.communicate(timeout=60)
         self.assertEqual(process.returncode, code, err)

@@ -1,14 +1,11 @@
 """study: from a folder to a report that says what holds; killed, it goes on without repeating what is done."""
 
-import csv
 import os
 import pathlib
-import signal
-import subprocess
 import time
 import unittest
 
-from support import CASE, MESOGEN, CommandTest
+from support import CASE, CommandTest
 
 STUDY = """\
 title = "A small study"
@@ -33,8 +30,8 @@ series = "flow.v_rms"
 """
 
 SECTION = '''\
-from mesogen.claims import above
 from mesogen.figures import style
+from mesogen.study import above
 
 TITLE, FIGURE, SWEEPS = "Speed", "v rms", ["activity"]
 
@@ -70,11 +67,10 @@ class Study(CommandTest):
         self.assertEqual(os.listdir(self.path("out")), ["bin"])
 
     def runs(self):
-        with open(self.path("out", "activity", "runs.csv"), encoding="utf-8", newline="") as file:
-            return list(csv.DictReader(file))
+        return self.table("out", "activity", "runs.csv")
 
     def page(self):
-        return pathlib.Path(self.path("out", "report", "index.html")).read_text(encoding="utf-8")
+        return self.read("out", "report", "index.html")
 
     def test_a_report_from_nothing(self):
         out, err = self.study("--quick")
@@ -88,10 +84,9 @@ class Study(CommandTest):
             self.assertIn(words, page)
         with open(self.path("out", "report", "speed_speed.png"), "rb") as file:
             self.assertEqual(file.read(4), b"\x89PNG")
-        with open(self.path("out", "report", "speed_speed.csv"), encoding="utf-8", newline="") as file:
-            rows = list(csv.reader(file))
-        self.assertEqual([row[0] for row in rows], ["zeta", "0.05", "0.5"])
-        self.assertGreater(float(rows[2][1]), 5.0 * float(rows[1][1]))
+        slow, fast = self.table("out", "report", "speed_speed.csv")
+        self.assertEqual((slow["zeta"], fast["zeta"]), ("0.05", "0.5"))
+        self.assertGreater(float(fast["v_rms"]), 5.0 * float(slow["v_rms"]))
 
     def test_what_is_done_is_not_done_again(self):
         self.study("--quick")
@@ -107,10 +102,10 @@ class Study(CommandTest):
     def test_killed_at_any_moment_it_goes_on(self):
         self.write_case(SWEEP.replace("[grid]", '[common]\n"time.end" = 1.0\n[grid]'), os.path.join("small", "activity.toml"))
         for wait in (0.8, 1.5):
-            with subprocess.Popen([MESOGEN, "study", "small", "--output", "out", "--parallel", "1"], cwd=self.folder,
-                                  env=self.environment(), stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL) as process:
-                time.sleep(wait)
-                process.send_signal(signal.SIGKILL)
+            process = self.start("study", "small", "--output", "out", "--parallel", "1")
+            time.sleep(wait)
+            process.kill()
+            process.wait()
         done = self.runs() if os.path.exists(self.path("out", "activity", "runs.csv")) else []
         self.study("--parallel", "1")
         self.assertEqual(self.runs()[: len(done)], done)

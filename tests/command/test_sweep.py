@@ -44,7 +44,7 @@ class Sweep(SweepTest):
         self.assertRegex(err, r"6 of 6  \S+-seed_2: done, ")
         self.assertNotIn("\r", err)
 
-        values = self.table("values.csv")
+        values = self.table("out", "values.csv")
         self.assertEqual([value["run"] for value in values], LABELS)
         means = {}
         for value in values:
@@ -61,7 +61,7 @@ class Sweep(SweepTest):
             means.setdefault(value["point"], []).append(float(value["flow.v_rms"]))
         self.assertEqual(len({mean for pair in means.values() for mean in pair}), 6)  # all are different runs
 
-        points = self.table("table.csv")
+        points = self.table("out", "table.csv")
         self.assertEqual([(point["point"], point["runs_done"], point["runs"]) for point in points],
                          [("activity_0.05", "2", "2"), ("activity_-0.05", "2", "2"), ("thick", "2", "2")])
         for point in points:
@@ -92,7 +92,7 @@ class Sweep(SweepTest):
         late = '[[quantity]]\nseries = "flow.v_rms"\nname = "late"\nfrom = 0.05\nuntil = 0.09\n'
         self.write(SWEEP.replace("seeds = [1, 2]\n", "") + "blocks = 2\n" + late, "sweep.toml")
         self.sweep("--quiet")
-        for value, point in zip(self.table("values.csv"), self.table("table.csv"), strict=True):
+        for value, point in zip(self.table("out", "values.csv"), self.table("out", "table.csv"), strict=True):
             self.assertEqual((value["run"], value["seed"], value["flow.v_rms blocks"]), (point["point"], "", "2"))
             with mesogen.open(self.path("out", "runs", value["run"])) as run:
                 time, v_rms = run.series("flow", "v_rms")
@@ -121,7 +121,7 @@ class Sweep(SweepTest):
         self.write(ONE_LONG, "sweep.toml")
         self.mesogen("sweep", "sweep.toml", "--output", "unbroken", "--quiet")
         for stop, code in ((signal.SIGKILL, -9), (signal.SIGINT, 130)):
-            process = self.start()
+            process = self.start_sweep()
             self.wait_for(process, "runs", "activity_0.05-seed_1", "checkpoint_b.h5")
             self.wait_for(process, "runs", "activity_-0.05-seed_1", "checkpoint_b.h5")
             process.send_signal(stop)
@@ -138,14 +138,14 @@ class Sweep(SweepTest):
     def test_a_run_that_was_killed_is_tried_again(self):
         self.write(LONGER, "case.toml")
         self.write(ONE_LONG.replace("parallel = 2", "parallel = 1"), "sweep.toml")
-        process = self.start("--quiet")
+        process = self.start_sweep("--quiet")
         self.wait_for(process, "runs", "activity_0.05-seed_1", "checkpoint_b.h5")
         with open(f"/proc/{process.pid}/task/{process.pid}/children", encoding="ascii") as children:
             os.kill(int(children.read().split()[0]), signal.SIGKILL)
         process.communicate(timeout=60)
         self.assertEqual(process.returncode, 0)  # the others are done all the same
         self.assertIn("\n- activity_0.05-seed_1: KILLED: was ended by SIGKILL\n", self.read("out", "table.md"))
-        self.assertEqual([row["status"] for row in self.table("runs.csv")], ["killed", "done"])
+        self.assertEqual([row["status"] for row in self.table("out", "runs.csv")], ["killed", "done"])
         _, err = self.sweep()
         self.assertRegex(err, r"^2 of 2  activity_0\.05-seed_1: done, \S+ s, gone on with from its checkpoint\n$")
 
@@ -171,7 +171,7 @@ class Sweep(SweepTest):
         _, err = self.sweep()
         for seed in (1, 2):
             self.assertIn(f"thick-seed_{seed} runs again: the sweep, its case or a default of mesogen has changed\n", err)
-        self.assertEqual(len(self.table("runs.csv")), 8)
+        self.assertEqual(len(self.table("out", "runs.csv")), 8)
         self.assertNotIn("activity", err)
 
         self.write(SWEEP, "sweep.toml")  # as it was: what lies there is of the other form
@@ -182,7 +182,7 @@ class Sweep(SweepTest):
         os.remove(self.path("out", "runs", "thick-seed_1", "checkpoint_a.h5"))
         os.remove(self.path("out", "runs", "thick-seed_1", "checkpoint_b.h5"))
         self.assertIn("thick-seed_1 runs again: its results are gone\n", self.sweep()[1])
-        self.assertEqual(len(self.table("runs.csv")), 11)
+        self.assertEqual(len(self.table("out", "runs.csv")), 11)
 
         text = re.sub(", defaults [0-9a-f]+", ", defaults 0123456789ab", self.read("out", "runs.csv"))
         self.write(text, "out", "runs.csv")
@@ -194,8 +194,8 @@ class Sweep(SweepTest):
         self.assertRegex(err, r"runs_away-seed_1: FAILED: the run (broke down|ran away)")
         self.assertRegex(out, r"\| runs_away +\| .*\| 0 of 2 \| +\| +\|")
         self.assertRegex(out, r"\n- (runs_away-seed_1, )?runs_away-seed_2: FAILED: the run (broke down|ran away).* at t = ")
-        self.assertEqual(self.table("table.csv")[3]["flow.v_rms"], "")
-        self.assertEqual(self.table("values.csv")[3]["status"], "failed")
+        self.assertEqual(self.table("out", "table.csv")[3]["flow.v_rms"], "")
+        self.assertEqual(self.table("out", "values.csv")[3]["status"], "failed")
         self.assertEqual(self.sweep()[1], "")  # it is not repeated
         self.assertEqual(self.sweep("--retry")[1].count("FAILED"), 2)
 
@@ -216,7 +216,7 @@ class Sweep(SweepTest):
         self.sweep("--quiet")
         self.write(SWEEP, "sweep.toml")
         out, err = self.sweep("--collect-only")
-        self.assertEqual((err, len(self.table("runs.csv"))), ("", 3))
+        self.assertEqual((err, len(self.table("out", "runs.csv"))), ("", 3))
         self.assertRegex(out, r"\| thick .* 1 of 2 \| .*\(blocks\)")
         self.assertIn("\n- activity_0.05-seed_2, activity_-0.05-seed_2, thick-seed_2: missing: has not run yet\n", out)
 
@@ -236,7 +236,7 @@ class Sweep(SweepTest):
         self.assertEqual(mesogen.sweep.finished(sweep, folder), [])
         seen = []
 
-        class Seen(mesogen.study.progress.Progress):
+        class Seen(mesogen.runs.progress.Progress):
             def end(self, text, name=""):
                 seen.append(name)
 

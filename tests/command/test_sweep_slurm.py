@@ -60,7 +60,7 @@ class Slurm(SweepTest):
             f"exec {MESOGEN} sweep {here}/sweep.toml --output {here}/out "
             '--threads 2 --quiet --task "$SLURM_ARRAY_TASK_ID"',
         ])
-        self.assertEqual([(task["task"], task["label"]) for task in self.table("slurm/tasks.csv")][2:4],
+        self.assertEqual([(task["task"], task["label"]) for task in self.table("out", "slurm", "tasks.csv")][2:4],
                          [("3", "thick-seed_1"), ("4", "activity_0.05-seed_2")])
         self.assertFalse(os.path.exists(self.path("out", "runs")))
 
@@ -74,7 +74,7 @@ class Slurm(SweepTest):
         self.assertRegex(out, r"\| activity_-0\.05 .* 1 of 2 \|")
         out, _ = self.sweep("--slurm")  # only what is missing
         self.assertIn("submitted job 41: 3 runs;", out)
-        self.assertEqual([task["label"] for task in self.table("slurm/tasks.csv")],
+        self.assertEqual([task["label"] for task in self.table("out", "slurm", "tasks.csv")],
                          ["activity_0.05-seed_1", "activity_0.05-seed_2", "activity_-0.05-seed_2"])
         for task in (1, 2, 3, 3):  # one of them twice, as after a node's failure
             self.run_task(task)
@@ -82,7 +82,7 @@ class Slurm(SweepTest):
         self.assertEqual(out, "nothing to submit: no run is missing; --collect-only writes the tables, --retry submits "
                               "what failed\n")
         self.sweep("--collect-only")
-        self.assertEqual(len(self.table("runs.csv")), 6)
+        self.assertEqual(len(self.table("out", "runs.csv")), 6)
         for name in ("values.csv", "table.csv"):
             self.assertEqual(self.read("out", name), self.read("here", name))
 

@@ -4,11 +4,9 @@ import filecmp
 import json
 import os
 import signal
-import subprocess
-import time
 import unittest
 
-from support import CASE, MESOGEN, CommandTest
+from support import CASE, CommandTest
 
 
 class TraceOption(CommandTest):
@@ -73,13 +71,8 @@ class TraceOption(CommandTest):
 
     def test_an_interrupted_run_and_its_resumption(self):
         case = self.write_case(CASE.replace("end = 0.1", "end = 1.0"))
-        process = subprocess.Popen([MESOGEN, "run", case, "--output", "out", "--trace", "first.json"], cwd=self.folder,
-                                   env=self.environment(), stderr=subprocess.PIPE, text=True)
-        self.addCleanup(process.kill)
-        deadline = time.time() + 60
-        while not os.path.exists(self.path("out", "checkpoint_a.h5")):
-            self.assertLess(time.time(), deadline, "no checkpoint")
-            time.sleep(0.01)
+        process = self.start("run", case, "--output", "out", "--trace", "first.json")
+        self.wait_for(process, "out", "checkpoint_a.h5")
         self.assertEqual(self.events("first.json"), [])  # valid already
         process.send_signal(signal.SIGINT)
         _, err = process.communicate(timeout=60)

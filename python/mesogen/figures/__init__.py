@@ -1,2 +1,2 @@
-"""The report's figures. Each module draws one: `lacking(scene)` says why it cannot, `draw` fills given axes,
-`figure` makes the page."""
+"""The figures of a report, one module for each: lacking(scene) says why the figure cannot be drawn, None if it can;
+draw(axes, scene) fills given axes; figure(scene) makes the page."""

@@ -9,9 +9,9 @@ from ..grid import Deposit, Grid, vorticity
 
 
 class Scene:
-    """A frame of a Run with its fields on a grid of about one cell a particle.
+    """A frame of a Run with its fields on a grid of about one cell per particle.
 
-    run: an open Run. frame: its number, negative from the end; None for a run without frames, of which only series
+    run: an open Run. frame: its number, negative from the end; None for a run without frames: only its series
     are drawn.
     """
 
@@ -47,7 +47,10 @@ class Scene:
 
     @cached_property
     def grid(self):
-        return Grid.for_particles(self.box, self.run.count, periodic=self.run.periodic)
+        return self._grid()
+
+    def _grid(self, refine=1.0):
+        return Grid.for_particles(self.box, self.run.count, refine, self.run.periodic, self.run.length_unit)
 
     @cached_property
     def deposit(self):
@@ -72,7 +75,7 @@ class Scene:
     @cached_property
     def colour(self):
         """Grid, finer than the particles, and the colour averaged to it."""
-        grid = Grid.for_particles(self.box, self.run.count, refine=1.5, periodic=self.run.periodic)
+        grid = self._grid(refine=1.5)
         return grid, Deposit(grid, self.position).average(self.run.field("colour", self.frame))
 
     @cached_property

@@ -7,7 +7,7 @@ import numpy as np
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
-RESOLUTION = 200  # dots an inch
+RESOLUTION = 200  # dots per inch
 
 INK = "#22262b"
 QUIET = "#7a828c"

@@ -50,7 +50,7 @@ def _coarse(scene):
     if max(scene.grid.shape) <= STREAM_CELLS:
         return scene.grid, scene.velocity
     cells = np.maximum(4, np.rint(STREAM_CELLS * scene.box / max(scene.box)))
-    grid = Grid(scene.box, cells, scene.grid.periodic)
+    grid = Grid(scene.box, cells, scene.grid.periodic, scene.grid.length_unit)
     place = np.stack(np.meshgrid(grid.x, grid.y), axis=-1).reshape(-1, 2)
     return grid, [sample(component, scene.grid, place).reshape(grid.shape) for component in scene.velocity]
 

@@ -1,6 +1,11 @@
-"""Studies: many runs of one scene, charted. `mesogen chart STUDY.toml`, or python3 -m mesogen.study STUDY.toml.
+"""Studies that test claims against results: `mesogen study FOLDER`.
 
-A *scene* is a folder with case.toml and answer.toml, which says what is known about it (see scene.py). A *study* names a
-scene, variants of its case, resolutions and repeats (see accuracy_study.py). Every run is a process of its own; what
-came out of it is kept in runs.csv, so that a study that was broken off goes on where it was.
+A study is a folder with study.toml, the sweeps whose runs it needs, and one Python file per section of its report. A
+section draws figures from the runs, and decides for each claim whether it holds. The format: docs/studies.md.
 """
+
+from .estimate import Estimate, above, agrees, decided, exponent, over_seeds, ratio
+from .verdict import DOES_NOT_HOLD, HOLDS, NOT_RESOLVED, Claim
+
+__all__ = ["DOES_NOT_HOLD", "HOLDS", "NOT_RESOLVED", "Claim", "Estimate", "above", "agrees", "decided",
+           "exponent", "over_seeds", "ratio"]

@@ -1,68 +1,64 @@
-"""The command: mesogen chart STUDY.toml [-o DIR] [--list] [--only VARIANT]... [--draw-only]"""
+"""The command: mesogen study FOLDER [-o DIR] [--quick | --full] [--only SECTION]... [--retry | --write-only]"""
 
 import argparse
 import os
 import sys
+from functools import partial
 
+from ..errors import StudyError
 from ..output_folder import foreign
-from . import accuracy, stability
-from .accuracy_study import read_accuracy_study
-from .command import carry_out
-from .errors import StudyError
-from .parts import only
-from .progress import Progress
-from .stability_study import read_stability_study
-from .table_reader import nearest, read_toml
-
-KINDS = {"accuracy": (read_accuracy_study, accuracy), "stability": (read_stability_study, stability)}
+from ..runs.command import carry_out, parser, tell
+from ..runs.progress import Progress
+from . import report
+from .study_file import read_study
+from .verdict import VERDICTS
 
 
-def read_study(file):
-    """(the study, the module that runs it). Raises StudyError."""
-    data = read_toml(file, "study")
-    kind = data.get("kind")
-    if kind not in KINDS:
-        given = f"'{kind}' is none" if isinstance(kind, str) else "is missing; it is one"
-        raise StudyError(f"{file}: kind: {given} of: {', '.join(KINDS)}"
-                         + (nearest(kind, KINDS) if isinstance(kind, str) else ""))
-    read, module = KINDS[kind]
-    return read(file, data), module
-
-
-def chart(options):
-    study, module = read_study(options.study)
-    study = only(study, options.only)
-    name = os.path.splitext(os.path.basename(options.study))[0]
-    folder = options.output or os.path.join("output", "charts", name)
-    if problem := foreign(folder, lambda names: "runs.csv" in names or ".lock" in names):
+def study_command(options):
+    """Does what the options ask for. Returns the exit code."""
+    mode = "quick" if options.quick else "full" if options.full else "standard"
+    study = read_study(options.study, mode, options.only)
+    name = os.path.basename(os.path.abspath(options.study))
+    folder = options.output or os.path.join("output", "studies", name if mode == "standard" else f"{name}_{mode}")
+    # It holds the folder of the report and one of each sweep, with a file `owner` or `.lock` in it.
+    if problem := foreign(folder, lambda names: report.FOLDER in names or any(
+            os.path.exists(os.path.join(folder, one, mark)) for one in names for mark in ("owner", ".lock"))):
         raise StudyError(problem)
-    if options.list:
-        module.list_runs(study, folder, options.mesogen, print)
-        return
-    if not options.draw_only:
-        def progress(total, done):
-            return Progress(total, done, options.quiet)
-        module.run_study(study, folder, options.mesogen, progress, lambda line: print(line, file=sys.stderr, flush=True))
-    text, names = module.write_outputs(study, folder, options.mesogen)
-    print(text)
-    for name in names:
-        print(f"wrote {name}")
+    results = report.gather(study, folder, options.mesogen, options.parallel, not options.write_only,
+                            partial(Progress, quiet=options.quiet),
+                            (lambda _: None) if options.quiet else tell, options.retry)
+    # Chosen sections go to a page of their own, beside the whole report.
+    page = "-".join(options.only or ["index"]) + ".html"
+    sections, problems = report.write(study, results, folder, options.mesogen, page)
+    for section in sections:
+        for claim in section.claims:
+            print(f"{claim.verdict:>{max(map(len, VERDICTS))}}  {section.title}: {claim.text} {claim.numbers}")
+    for problem in problems:
+        tell(f"warning: {problem}")
+    print(f"wrote {os.path.join(folder, report.FOLDER, page)}")
+    return 1 if problems else 0
 
 
 def main(arguments=None):
-    """The command. Returns its exit code: 0; 1 if a file cannot be written; 2 if the study is wrong; 130 if it was
-    interrupted."""
-    parser = argparse.ArgumentParser(prog="mesogen chart", description="Runs a study and charts it.")
-    parser.add_argument("study", metavar="STUDY", help="study file (TOML)")
-    parser.add_argument("-o", "--output", metavar="DIR", help="folder for what comes out")
-    parser.add_argument("--only", metavar="VARIANT", type=lambda names: names.split(","), action="extend", default=[],
-                        help="these variants alone")
-    parser.add_argument("--list", action="store_true", help="list the runs; runs nothing")
-    parser.add_argument("--draw-only", action="store_true", help="run nothing: tables and charts of what is there")
-    parser.add_argument("--quiet", action="store_true", help="no progress")
-    parser.add_argument("--mesogen", metavar="FILE", default="mesogen", help="the command that runs a case")
-    options = parser.parse_args(arguments)
-    return carry_out(lambda: chart(options))
+    """The command. Returns its exit code: that of carry_out, and 1 if a run or a section is missing."""
+    options = parser("study", "Runs a study and reports which claims hold.")
+    options.add_argument("study", metavar="FOLDER", help="folder of a study")
+    options.add_argument("--only", metavar="SECTION", type=lambda names: names.split(","), action="extend",
+                         default=[], help="these sections alone, as a page of their own")
+    options.add_argument("--parallel", metavar="N", type=_count, help="runs at a time")
+    modes = options.add_mutually_exclusive_group()
+    modes.add_argument("--quick", action="store_true", help="small boxes and short spans")
+    modes.add_argument("--full", action="store_true", help="at the resolution of the paper")
+    options.add_argument("--write-only", action="store_true", help="run nothing: the report of what is there")
+    options.add_argument("--retry", action="store_true", help="try runs that failed again")
+    given = options.parse_args(arguments)
+    return carry_out(lambda: study_command(given))
+
+
+def _count(text):
+    if not text.isdecimal() or int(text) < 1:
+        raise argparse.ArgumentTypeError(f"must be a whole number of at least 1, not '{text}'")
+    return int(text)
 
 
 if __name__ == "__main__":

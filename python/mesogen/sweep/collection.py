@@ -1,49 +1,16 @@
-"""What came out of a sweep: means of each run, and of each point over its seeds."""
+"""The quantities of a sweep: means over time of each run, and means over seeds of each point."""
 
 import math
 from dataclasses import dataclass
 
 from ..errors import MesogenError
 from ..run import open as open_run
-from ..study.errors import StudyError
-from .records import Records
-from .statistics import standard_error, time_mean
-
-
-@dataclass(frozen=True)
-class Finished:
-    """A run that is done, and its folder."""
-
-    run: object  # sweep_file.Run
-    folder: str
-
-    @property
-    def label(self):
-        return self.run.label
-
-    @property
-    def point(self):
-        return self.run.point
-
-    @property
-    def seed(self):
-        return self.run.seed
-
-    def open(self):
-        """Its results, a mesogen.Run; close it, or use it as a context manager."""
-        return open_run(self.folder)
-
-
-def finished(sweep, folder):
-    """The runs that are done, in the order of the sweep: list of Finished. Those of another form of the sweep are not
-    among them."""
-    records = Records(sweep, folder)
-    return [Finished(run, records.results(run)) for run in sweep.runs
-            if (row := records.row(run)) and row["status"] == "done"]
+from ..runs.execution import results_of
+from ..runs.statistics import standard_error, time_mean
 
 
 def check_series(run, quantities):
-    """Raises MesogenError if a quantity was not recorded, or is no number. run: mesogen.Run."""
+    """Raises MesogenError if a quantity was not recorded, or is no single number per sample. run: mesogen.Run."""
     for quantity in quantities:
         if run.series(quantity.observer, quantity.series)[1].ndim != 1:
             raise MesogenError(f"'{quantity.observer}.{quantity.series}' is a table in each sample; a sweep collects "
@@ -52,7 +19,7 @@ def check_series(run, quantities):
 
 @dataclass(frozen=True)
 class RunValues:
-    """The means of one run, by quantity; none where it is not done, and `failure` says why."""
+    """The statistics.Mean of each quantity of one run. means: empty if the run is not done; `failure` says why."""
 
     run: object
     status: str
@@ -62,8 +29,11 @@ class RunValues:
 
 @dataclass(frozen=True)
 class Estimate:
-    """Of a point: the mean over its runs and its standard error, over `over`: "seeds", "blocks", or "" where it is not
-    known. block_error: from the variation within the runs alone. Units of the series."""
+    """Of a point: the mean over its runs and its standard error, in the unit of the series.
+
+    over: where the error comes from, "seeds" or "blocks" of time; "" if it is unknown. block_error: the error from the
+    variation within the runs alone.
+    """
 
     mean: float
     error: float
@@ -73,7 +43,7 @@ class Estimate:
 
 @dataclass(frozen=True)
 class PointValues:
-    """A point: how many of its runs are done, of how many, and an Estimate for each quantity."""
+    """A point: number of its finished runs and of all its runs, and an Estimate for each quantity."""
 
     point: object
     done: int
@@ -82,7 +52,7 @@ class PointValues:
 
 
 def run_values(records):
-    """RunValues of all runs of a sweep. Raises StudyError for a quantity that was not recorded."""
+    """The RunValues of all runs of a sweep. Raises StudyError for a quantity that was not recorded."""
     return [_of_run(records, run) for run in records.sweep.runs]
 
 
@@ -92,18 +62,15 @@ def _of_run(records, run):
         status = records.status(run)
         reason = row["reason"] if row else "was broken off" if status == "begun" else "has not run yet"
         return RunValues(run, status, reason, ())
-    try:
-        with open_run(records.results(run)) as results:
-            check_series(results, quantities)
-            means = tuple(time_mean(*results.series(quantity.observer, quantity.series), quantity.start, quantity.end,
-                                    quantity.blocks, results.time_unit) for quantity in quantities)
-    except MesogenError as error:
-        raise StudyError(f"{records.sweep.file}: {error}") from error
+    with results_of(records.results(run), records.sweep.file) as results:
+        check_series(results, quantities)
+        means = tuple(time_mean(*results.series(quantity.observer, quantity.series), quantity.start, quantity.end,
+                                quantity.blocks, results.time_unit) for quantity in quantities)
     return RunValues(run, "done", "", means)
 
 
 def units(sweep, values, folder_of):
-    """Units of the quantities, of the first run that is done; "" without any."""
+    """Units of the quantities, read from the first finished run; "" if there is none. folder_of: function of a run."""
     one = next((value.run for value in values if value.status == "done"), None)
     if one is None:
         return [""] * len(sweep.quantities)
@@ -112,7 +79,7 @@ def units(sweep, values, folder_of):
 
 
 def point_values(sweep, values):
-    """PointValues of all points, from the RunValues."""
+    """The PointValues of all points, from the RunValues."""
     found = []
     for point in sweep.points:
         mine = [value for value in values if value.run.point == point]
@@ -123,9 +90,9 @@ def point_values(sweep, values):
 
 
 def estimate(means):
-    """The Estimate over runs that differ in their seeds alone. means: of statistics.Mean.
+    """The Estimate over runs that differ in their seeds alone. means: statistics.Mean of each run.
 
-    The error is over seeds where there are two or more; of one run it is over blocks of time.
+    The error is over seeds if there are two runs or more, else over blocks of time.
     """
     known = [one for one in means if one.known]
     if not known:

@@ -1,11 +1,11 @@
-"""A sweep as a job array of Slurm: one task a run.
+"""A sweep as a job array of Slurm, one task per run.
 
     slurm/job.sh      the script that sbatch takes
-    slurm/tasks.csv   number of the task, label and key of its run
-    slurm/job         number of the job that was submitted last
+    slurm/tasks.csv   number of each task, label and key of its run
+    slurm/job         number of the last submitted job
 
-A task writes to its run's own folders alone (see records.py): machines that share a folder by NFS may not append to one
-file.
+A task writes only to the folders of its run (see runs/records.py): machines that share a folder by NFS must not append
+to the same file.
 """
 
 import csv
@@ -14,23 +14,26 @@ import re
 import shlex
 import shutil
 import subprocess
+import time
 
-from ..study.errors import StudyError
-from ..study.ledger import csv_text, locked, write_file
-from .defaults import Program
-from .records import Records
-from .runner import busy_text, prepare, run_task
+from ..errors import StudyError
+from ..runs.attempt import Attempt
+from ..runs.execution import PAUSE
+from ..runs.ledger import csv_text, locked, write_file
+from ..runs.program import Program
+from ..runs.records import Records
+from ..runs.runner import busy_text, prepare
 
 COLUMNS = ("task", "label", "key")
-GRACE = 60  # s before its time is over that a task is told: enough for a step and a checkpoint
+GRACE = 60  # s before the end of its time at which a task gets SIGTERM: enough for a step and a checkpoint
 
 
 def submit(sweep, folder, program, options="", at_a_time=None, dry=False, retry=False, tell=print):
-    """Submits what is missing as one job array.
+    """Submits the missing runs as one job array.
 
-    options: of sbatch, as one would type them. at_a_time: tasks at a time, None: as Slurm likes. dry: writes the script
-    and the list of tasks alone. tell: takes lines for the user. Raises StudyError without sbatch, if it refuses, and
-    while the last job of this sweep is in the queue.
+    options: of sbatch, as on a command line. at_a_time: tasks at a time, None: Slurm decides. dry: writes script and
+    list of tasks, submits nothing. tell: takes messages for the user. Raises StudyError if there is no sbatch, if
+    sbatch refuses the script, and while the last job of this sweep is in the queue.
     """
     with locked(folder, busy_text(folder)):
         records = Records(sweep, folder, Program(program))
@@ -73,8 +76,10 @@ def script(sweep, folder, program, tasks, options="", at_a_time=None, retry=Fals
 
 
 def do_task(sweep, number, folder, program, retry=False):
-    """The run of a task. Returns its row, None if it was done already. Raises StudyError if there is no such task, or
-    the sweep has changed since it was submitted."""
+    """Does the run of a task, and returns its row of runs.csv; None if the run was done before.
+
+    Raises StudyError if there is no such task, or the sweep has changed since it was submitted.
+    """
     file = os.path.join(folder, "slurm", "tasks.csv")
     try:
         with open(file, encoding="utf-8", newline="") as stream:
@@ -88,11 +93,21 @@ def do_task(sweep, number, folder, program, retry=False):
     if run is None:
         raise StudyError(f"--task: {task['label']} is no more the run that was submitted: {sweep.file} or its case has "
                          "changed; submit it again with --slurm")
-    return run_task(sweep, run, folder, program, retry)
+    records = Records(sweep, folder, Program(program))
+    if records.settled(run, retry) is not None:
+        return None
+    attempt = Attempt(records, run)
+    try:
+        while (row := attempt.poll()) is None:
+            time.sleep(PAUSE)
+        records.add_task_row(run, row)
+        return row
+    finally:
+        attempt.stop()
 
 
 def _option_lines(options):
-    """Each option with its value: "--time=1:00 -p long" is two."""
+    """A list of options, each with its value: "--time=1:00 -p long" gives two."""
     lines = []
     for word in shlex.split(options):
         if word.startswith("-") or not lines:
@@ -117,7 +132,7 @@ def _sbatch(file):
 
 
 def _refuse_twice(folder):
-    """Raises StudyError while the job that was submitted last is in the queue."""
+    """Raises StudyError while the last submitted job is in the queue."""
     try:
         with open(os.path.join(folder, "slurm", "job"), encoding="utf-8") as file:
             number = file.read().strip()

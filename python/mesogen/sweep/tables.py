@@ -1,16 +1,16 @@
-"""The tables of a sweep: values.csv, a line a run; table.csv and table.md, a line a point."""
+"""The tables of a sweep: values.csv has one line per run, table.csv and table.md have one line per point."""
 
 import math
 import os
 
-from ..study.errors import StudyError
-from ..study.ledger import csv_text, write_file
-from ..study.markdown import head_lines, table_lines
+from ..errors import StudyError
+from ..runs.ledger import csv_text, write_file
+from ..runs.markdown import head_lines, table_lines
+from ..runs.points import few, short_names, value_word
+from ..runs.program import Program
+from ..runs.records import Records
 from ..units import time_unit
 from .collection import point_values, run_values, units
-from .defaults import Program
-from .points import few, short_names, value_word
-from .records import Records
 
 NOTE = """\
 ± is the standard error: over the runs of a point where two or more are done (seeds), else over blocks of time in the one
@@ -19,9 +19,9 @@ the error over seeds, runs differ for longer than they last."""
 
 
 def write_tables(sweep, folder, program=None):
-    """Writes the tables of what is there. program: the mesogen whose defaults runs must have, None: of any.
+    """Writes the tables of the finished runs. program: the command whose defaults runs must have; None: any.
 
-    Returns (the text of table.md, names of the files). Raises StudyError where nothing has run.
+    Returns (text of table.md, names of the files). Raises StudyError if no run has ended.
     """
     records = Records(sweep, folder, Program(program) if program else None)
     rows = [row for run in sweep.runs if (row := records.row(run))]
@@ -37,12 +37,12 @@ def write_tables(sweep, folder, program=None):
 
 
 def changed_keys(sweep):
-    """Keys that some point changes, in the order of their first appearance."""
+    """Keys that points change, in the order of their first appearance."""
     return list(dict.fromkeys(key for point in sweep.points for key in point.values))
 
 
 def values_csv(sweep, values):
-    """A line a run: mean, error by blocks, their number and the correlation time (s) of each quantity."""
+    """One line per run: mean, error over blocks, number of blocks and correlation time of each quantity."""
     keys = changed_keys(sweep)
     columns = ["run", "point", "seed", *keys, "status", "reason"]
     for quantity in sweep.quantities:
@@ -52,13 +52,13 @@ def values_csv(sweep, values):
     for one in values:
         line = [one.run.label, one.run.point.label, one.run.seed, *_cells(keys, one.run.point), one.status, one.failure]
         for mean in one.means:
-            line += [_number(mean.mean), _number(mean.error), mean.blocks, _number(mean.correlation_time)]
+            line += [mean.mean, mean.error, mean.blocks, mean.correlation_time]
         lines.append(line + [None] * (len(columns) - len(line)))
     return csv_text(columns, lines)
 
 
 def points_csv(sweep, points):
-    """A line a point: mean, standard error and what it is over, and the error by blocks of each quantity."""
+    """One line per point: mean, standard error, what it is over, and error over blocks of each quantity."""
     keys = changed_keys(sweep)
     columns = ["point", *keys, "runs_done", "runs"]
     for quantity in sweep.quantities:
@@ -67,14 +67,13 @@ def points_csv(sweep, points):
     for one in points:
         line = [one.point.label, *_cells(keys, one.point), one.done, one.wanted]
         for estimate in one.estimates:
-            line += [_number(estimate.mean), _number(estimate.error), estimate.over or None,
-                     _number(estimate.block_error)]
+            line += [estimate.mean, estimate.error, estimate.over, estimate.block_error]
         lines.append(line)
     return csv_text(columns, lines)
 
 
 def markdown(sweep, values, points, its_units, rows):
-    """The text of table.md."""
+    """The text of table.md. values, points: RunValues, PointValues; its_units: of the quantities; rows: of runs.csv."""
     keys = changed_keys(sweep)
     names = short_names(keys)
     header = ["point", *(names[key] for key in keys), "runs"]
@@ -94,7 +93,7 @@ def markdown(sweep, values, points, its_units, rows):
 
 
 def estimate_text(estimate):
-    """As 0.1584 ± 0.0005 (seeds); nothing where there is no mean."""
+    """An Estimate as "0.1584 ± 0.0005 (seeds)"; "" without a mean."""
     if not math.isfinite(estimate.mean):
         return ""
     if not math.isfinite(estimate.error):
@@ -104,7 +103,7 @@ def estimate_text(estimate):
 
 
 def error_text(mean, error):
-    """An error with as many decimals as beside its mean."""
+    """An error with as many decimals as estimate_text gives it; "" if it is unknown."""
     return f"{error:.{_places(error, mean)}f}" if math.isfinite(error) else ""
 
 
@@ -149,7 +148,3 @@ def _alike(pairs):
 
 def _cells(keys, point):
     return [value_word(point.values[key]) if key in point.values else None for key in keys]
-
-
-def _number(value):
-    return value if math.isfinite(value) else None

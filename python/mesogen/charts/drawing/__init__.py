@@ -1,0 +1,1 @@
+"""The charts of studies, one module for each. Equal points give files with equal bytes."""
