@@ -49,8 +49,7 @@ void SetupBuilder::collect_fields() {
 void SetupBuilder::collect_initial_fields() {
   for (std::size_t n = 0; n < setup_.initial.size(); ++n)
     attempt(source_.initial[n], [&] {
-      auto& member = setup_.initial[n];
-      call_plugin(member.name, "plan()", [&] { member.plugin->plan(member.plan); });
+      const auto& member = setup_.initial[n];
       for (const FieldDeclaration& field : member.plan.fields()) setup_.catalogue.add_initial(field, member.name);
     });
 }

@@ -62,7 +62,12 @@ void SetupBuilder::make_plugins() {
     });
     initial_missing_ = initial_missing_ || !plugin;
     simple(choice, plugin);
-    if (plugin) setup_.initial.push_back({choice.type, std::move(plugin), {}});
+    if (!plugin) continue;
+    setup_.initial.push_back({choice.type, std::move(plugin), {}});
+    attempt(choice, [&] {
+      auto& member = setup_.initial.back();
+      call_plugin(choice.type, "plan()", [&] { member.plugin->plan(member.plan); });
+    });
   }
   for (const PluginChoice& choice : source_.physics) {
     const bool on_device = !setup_.backend->on_host() && registry_.has_cuda(choice.type);

@@ -74,7 +74,6 @@ void SetupBuilder::publish_initial_conditions() {
     attempt(source_.initial[n], [&] {
       auto& member = setup_.initial[n];
       call_plugin(member.name, "publish()", [&] { member.plugin->publish(scene); });
-      call_plugin(member.name, "plan()", [&] { member.plugin->plan(member.plan = {}); });
       if (!problems_.empty()) return;
       InitialState state = initial_state(member, setup_);
       for (const FieldDeclaration& field : member.plan.fields())

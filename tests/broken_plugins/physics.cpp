@@ -43,12 +43,12 @@ class Misbehaving final : public Physics {
     list.number(SECOND_PARAMETER, after_).unit("s").at_least(0.0).doc("only from this time on");
   }
 
-  void scales(const Scene&, Scales&) const override { fail_if("scales throw"); }
+  void publish(Scene&) const override { fail_if("publish throws"); }
 
-  void passes(PassList& list) override {
+  void declare(const Scene&, PassList& list) override {
     fail_if("");
-    fail_if("passes throw");
-    if (misdeed_ == "passes throw an Error") throw Error(ExitCode::bad_case, "take another misdeed");
+    fail_if("declare throws");
+    if (misdeed_ == "declare throws an Error") throw Error(ExitCode::bad_case, "take another misdeed");
     list.field("good", Rank::scalar);
     list.field("bad", Rank::scalar);
     if (misdeed_ == "cycle") {

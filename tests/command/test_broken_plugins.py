@@ -155,9 +155,9 @@ class Misbehaving(CommandTest):
     def test_what_it_says_while_the_case_is_put_together(self):
         place = PLACE + 'plugin "misbehaving", '
         expected = {
-            "scales throw": (3, place + r'scales\(\) failed: cannot do "scales throw"'),
-            "passes throw": (3, place + r'passes\(\) failed: cannot do "passes throw"'),
-            "passes throw an Error": (2, place + r"passes\(\): take another misdeed"),
+            "publish throws": (3, place + r'scales\(\) failed: cannot do "publish throws"'),
+            "declare throws": (3, place + r'passes\(\) failed: cannot do "declare throws"'),
+            "declare throws an Error": (2, place + r"passes\(\): take another misdeed"),
             "cycle": (2, r"case\.toml: these passes wait for each other:\n    'physics\.bad: good from bad' needs 'bad' "
                          r"of 'physics\.bad: bad from good'\n    'physics\.bad: bad from good' needs 'good' of "
                          r"'physics\.bad: good from bad'\n  Remove one of the plugins from the case"),
@@ -182,7 +182,7 @@ class Misbehaving(CommandTest):
         folder = os.path.join(BROKEN_PLUGINS, "misbehaving")
         out, err = self.mesogen("plugin", "info", "misbehaving", "--plugin-path", folder)
         self.assertEqual(err, "")
-        self.assertIn('\nthe rest depends on the case: plugin "misbehaving", passes() failed: cannot do ""\n', out)
+        self.assertIn('\nthe rest depends on the case: plugin "misbehaving", declare() failed: cannot do ""\n', out)
         self.assertRegex(out, r"(?m)^  misdeed +text, required$")
         self.assertIn("\nobserver misbehaving 1.0.0: ", out)
 

@@ -210,8 +210,8 @@ class PluginCheck(CrashTest):
     def test_what_no_check_can_do_without(self):
         failed, held = self.check("physics", "parameters()")
         self.assertEqual((list(failed), held), (["it can be made, and names its parameters"], []))
-        failed, held = self.check("physics", "prepare()")
-        self.assert_fails(failed, "it can be put into a scene", 'plugin "crashing", prepare() ' + BY["null"][1])
+        failed, held = self.check("physics", "declare()")
+        self.assert_fails(failed, "it can be put into a scene", 'plugin "crashing", declare() ' + BY["null"][1])
         self.assertIn("its descriptor has a version and a summary", held)
         failed, _ = self.check("physics", "destructor")
         self.assert_fails(failed, "it can be made, and names its parameters",

@@ -104,7 +104,7 @@ inline Case read_all(const std::string& text, const std::vector<std::string>& ov
   FakeParameters parameters;
   for (const auto* const group : {&result.initial, &result.physics, &result.observers})
     for (const auto& choice : *group)
-      if (!choice.type.empty()) choice.read(parameters.list(choice.type), problems);
+      if (!choice.type.empty() && choice.type != "directr") choice.read(parameters.list(choice.type), problems);
   return result;
 }
 
