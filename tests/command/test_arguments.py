@@ -120,8 +120,8 @@ class Arguments(CommandTest):
     def test_help_fits_a_terminal(self):
         out, _ = self.mesogen("--help-all")
         self.assertLessEqual(max(map(len, out.splitlines())), 80)
-        self.assertIn("\n  -o, --output DIR      Folder for the results (default: output/<name of the case>)\n",
-                      self.mesogen("run", "--help")[0])
+        self.assertIn("\n  -o, --output DIR      Folder for the results (default: output/<name of the\n"
+                      "                        case>)\n", self.mesogen("run", "--help")[0])
 
 
 class FirstLinesOfARun(CommandTest):
