@@ -4,10 +4,10 @@
 #include <cmath>
 #include <cstdint>
 #include <numbers>
-#include <sstream>
 #include <string>
 
 #include "mesogen/diagnostics/error.hpp"
+#include "mesogen/diagnostics/formatted.hpp"
 #include "mesogen/domain/periodic.hpp"
 
 namespace mesogen::director {
@@ -18,12 +18,6 @@ constexpr double pi = std::numbers::pi;
 
 [[noreturn]] void refuse(const std::string& what) { throw BadParameter("defects", what); }
 
-std::string number(double value) {
-  std::ostringstream text;
-  text << value;
-  return text.str();
-}
-
 /// The place of a defect, folded into the box along the periodic axes: a place beyond a face is the same as one inside.
 std::array<double, 2> folded(const std::vector<double>& defect, std::size_t row, const Scene& scene) {
   std::array<double, 2> place{};
@@ -32,10 +26,10 @@ std::array<double, 2> folded(const std::vector<double>& defect, std::size_t row,
     std::int32_t boxes = 0;
     if (scene.periodic[axis]) wrap_into_box(scene.box[axis], at, boxes);
     if (!(at >= 0.0 && at < scene.box[axis]))
-      refuse("row " + std::to_string(row + 1) + ": must lie in the box, " + (axis == 0 ? "x" : "y") + " from 0 to " +
-             number(scene.box[axis]) +
-             (scene.periodic[axis] ? ", or within 1e9 boxes of it" : ", where this axis ends at walls") +
-             ", but is at " + number(defect[axis]));
+      refuse(formatted("row %zu: must lie in the box, %s from 0 to %g, %s, but is at %g", row + 1,
+                       axis == 0 ? "x" : "y", scene.box[axis],
+                       scene.periodic[axis] ? "or within 1e9 boxes of it" : "where this axis ends at walls",
+                       defect[axis]));
     place[axis] = at;
   }
   return place;
@@ -51,17 +45,17 @@ DefectField::DefectField(const Parameter::Rows& rows, double core, const Scene& 
   for (std::size_t row = 0; row < rows.size(); ++row) {
     const double charge = rows[row][2];
     if (std::abs(charge) != 0.5)
-      refuse("row " + std::to_string(row + 1) + ": the charge must be 0.5 or -0.5, but is " + number(charge));
+      refuse(formatted("row %zu: the charge must be 0.5 or -0.5, but is %g", row + 1, charge));
     const auto [x, y] = folded(rows[row], row, scene);
     for (std::size_t other = 0; other < row; ++other)
       if (at_same_place(defects_[other], x, y))
-        refuse("rows " + std::to_string(other + 1) + " and " + std::to_string(row + 1) + " are at the same place");
+        refuse(formatted("rows %zu and %zu are at the same place", other + 1, row + 1));
     defects_.push_back({x, y, charge});
     sum += charge;
     moment_x += charge * x;
     moment_y += charge * y;
   }
-  if (sum != 0.0) refuse("the charges must add up to 0 in a periodic box, but their sum is " + number(sum));
+  if (sum != 0.0) refuse(formatted("the charges must add up to 0 in a periodic box, but their sum is %g", sum));
   // The mean slope of the periodic field is 2 pi (P_y, -P_x) / (Lx Ly); a half turn across the box changes it by
   // pi / Lx or pi / Ly.
   slope_x_ = -std::round(2.0 * moment_y / height_) * pi / width_;

@@ -77,7 +77,7 @@ std::string refusal(const std::string& keys, const TestScene& scene = {}) {
 
 TEST(Director, RefusesAnAngleBeyondAFullTurn) {
   EXPECT_EQ(refusal("type = \"uniform\"\nangle = 400.0"),
-            "director.angle: must be from -360 to 360 degree, but is 400");
+            "director.angle: must be from -360 to 360 degree, but is 400.0");
 }
 
 TEST(Director, HasKeysOfItsTypeAlone) {

@@ -55,15 +55,15 @@ std::string refusal(const std::string& keys) {
 
 TEST(Velocity, RefusesAWaveThatDoesNotFitTheBox) {
   EXPECT_EQ(refusal("type = \"modes\"\nmodes = [[1, 1, 0.1, 0.0], [1.5, 0, 0.1, 0.0]]"),
-            "the test's case:13:9: velocity.modes: row 2: wave numbers must be whole, so that the wave fits the box, "
+            "the test's case:15:9: velocity.modes: row 2: wave numbers must be whole, so that the wave fits the box, "
             "but one is 1.5");
 }
 
 TEST(Velocity, HasKeysOfItsTypeAlone) {
   EXPECT_EQ(refusal("type = \"rest\"\nvalue = [1.0, 0.0]"),
-            "the test's case:13:9: velocity.value: has a meaning only with type = \"uniform\"");
+            "the test's case:15:9: velocity.value: has a meaning only with type = \"uniform\"");
   EXPECT_EQ(refusal("type = \"uniform\""),
-            "the test's case:11:1: velocity.value: must be given: a list of 2 numbers in m/s (velocity everywhere)");
+            "the test's case:13:1: velocity.value: must be given: a list of 2 numbers in m/s (velocity everywhere)");
 }
 
 }  // namespace

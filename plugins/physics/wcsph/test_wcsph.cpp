@@ -307,8 +307,8 @@ TEST(Wcsph, RefusesCreepingFlowWithoutAnythingThatChanges) {
 
 TEST(Wcsph, HasARelaxationRatioOnlyInCreepingFlow) {
   try {
-    (void)testing::PluginHarness(PluginKind::physics, "wcsph",
-                                 "density = 2.0\nviscosity = 0.1\nrelaxation_ratio = 50.0")
+    (void)mesogen::testing::PluginHarness(PluginKind::physics, "wcsph",
+                                          "density = 2.0\nviscosity = 0.1\nrelaxation_ratio = 50.0")
         .scene();
     FAIL() << "not refused";
   } catch (const Error& error) {

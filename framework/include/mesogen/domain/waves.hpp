@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "mesogen/diagnostics/error.hpp"
+#include "mesogen/diagnostics/formatted.hpp"
 #include "mesogen/plugin/parameters.hpp"
 #include "mesogen/plugin/scene.hpp"
 
@@ -28,9 +29,9 @@ inline std::vector<BoxWave> box_waves(const std::string& key, const Parameter::R
   for (const auto& row : rows) {
     for (const double number : {row[0], row[1]})
       if (number != std::round(number))
-        throw BadParameter(key, "row " + std::to_string(waves.size() + 1) +
-                                    ": wave numbers must be whole, so that the wave fits the box, but one is " +
-                                    std::to_string(number));
+        throw BadParameter(
+            key, formatted("row %zu: wave numbers must be whole, so that the wave fits the box, but one is %g",
+                           waves.size() + 1, number));
     const double full_turn = 2.0 * std::numbers::pi;
     waves.push_back({full_turn * row[0] / scene.box[0], full_turn * row[1] / scene.box[1], row[2], row[3]});
   }
