@@ -1,13 +1,16 @@
 #include "mesogen/plugin/passes.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace mesogen {
 
 namespace {
 
+// Passes that share a loop name the same fields.
 void append(std::vector<std::string>& list, std::initializer_list<std::string_view> fields) {
-  for (const auto field : fields) list.emplace_back(field);
+  for (const auto field : fields)
+    if (std::ranges::find(list, field) == list.end()) list.emplace_back(field);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "initial/extent.hpp"
 #include "plugin/plugin_call.hpp"
@@ -41,7 +42,7 @@ void SetupBuilder::describe_scene() {
   attempt(source_.boundary, [&] { setup_.boundary->prepare(scene); });
   publish_initial_conditions();
   attempt(source_.boundary, [&] { setup_.boundary->scales(scene.scales); });
-  publish_physics();
+  if (problems_.empty()) publish_physics();
 }
 
 void SetupBuilder::publish_physics() {
@@ -67,18 +68,22 @@ void SetupBuilder::limit_step() {
     attempt(source_.physics[n], [&] { add_step_limits(setup_.physics[n], setup_, setup_.limits); });
 }
 
-// Of a boundary that refused its parameters nothing more is asked.
 void SetupBuilder::publish_initial_conditions() {
-  Scene& scene = setup_.scene;
   for (std::size_t n = 0; n < setup_.initial.size(); ++n)
     attempt(source_.initial[n], [&] {
-      auto& member = setup_.initial[n];
-      call_plugin(member.name, "publish()", [&] { member.plugin->publish(scene); });
-      if (!problems_.empty()) return;
-      InitialState state = initial_state(member, setup_);
-      for (const FieldDeclaration& field : member.plan.fields())
-        scene.initial[field.name] = initial_extent(field, state, *setup_.boundary, setup_.smoothing);
+      const auto& member = setup_.initial[n];
+      call_plugin(member.name, "publish()", [&] { member.plugin->publish(setup_.scene); });
     });
+  // Of a boundary that refused its parameters nothing more is asked, and with wrong ones nothing is set.
+  for (std::size_t n = 0; n < setup_.initial.size() && problems_.empty(); ++n) {
+    std::optional<InitialState> state;
+    attempt(source_.initial[n], [&] { state.emplace(initial_state(setup_.initial[n], setup_)); });
+    // Behind walls the boundary says how the field goes on: what it does wrong is its own.
+    attempt(source_.boundary, [&] {
+      for (const FieldDeclaration& field : setup_.initial[n].plan.fields())
+        if (state) setup_.scene.initial[field.name] = initial_extent(field, *state, *setup_.boundary, setup_.smoothing);
+    });
+  }
 }
 
 InitialState initial_state(const Setup::InitialMember& member, const Setup& setup) {
@@ -94,8 +99,9 @@ void add_step_limits(const Setup::PhysicsMember& member, const Setup& setup, Ste
     const PluginCall call{.plugin = member.type, .call = "step limit", .subject = limit.rule};
     const double seconds = call_plugin(call, ExitCode::plugin_refused, [&] { return limit.seconds(setup.scene); });
     if (!(seconds > 0.0))
-      throw Error(ExitCode::plugin_refused, call_text(call) + ": is " + rounded_text(seconds) + " " +
-                                                setup.source.units.time + ", and must be above 0");
+      throw Error(ExitCode::plugin_refused, "plugin \"" + member.type + "\": the limit on the step \"" + limit.rule +
+                                                "\" is " + rounded_text(seconds) + " " + setup.source.units.time +
+                                                ": it must be above 0");
     limits.add(limit.cause, limit.rule, seconds);
   }
 }

@@ -155,9 +155,9 @@ class Misbehaving(CommandTest):
     def test_what_it_says_while_the_case_is_put_together(self):
         place = PLACE + 'plugin "misbehaving", '
         expected = {
-            "publish throws": (3, place + r'scales\(\) failed: cannot do "publish throws"'),
-            "declare throws": (3, place + r'passes\(\) failed: cannot do "declare throws"'),
-            "declare throws an Error": (2, place + r"passes\(\): take another misdeed"),
+            "publish throws": (3, place + r'publish\(\) failed: cannot do "publish throws"'),
+            "declare throws": (3, place + r'declare\(\) failed: cannot do "declare throws"'),
+            "declare throws an Error": (2, place + r"declare\(\): take another misdeed"),
             "cycle": (2, r"case\.toml: these passes wait for each other:\n    'physics\.bad: good from bad' needs 'bad' "
                          r"of 'physics\.bad: bad from good'\n    'physics\.bad: bad from good' needs 'good' of "
                          r"'physics\.bad: good from bad'\n  Remove one of the plugins from the case"),

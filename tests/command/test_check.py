@@ -74,7 +74,7 @@ class Check(CommandTest):
         steps = told["steps"]["steps_at_least"] * time["step"] + time["sortings"] * time["sorting"]
         self.assertAlmostEqual(time["wall"], sum(time[part] for part in parts) + steps, places=6)
         self.assertEqual([plugin["type"] for plugin in told["plugins"]],
-                         ["quintic", "periodic_ghosts", "wcsph", "beris_edwards", "active_stress", "flow_statistics"])
+                         ["quintic", "periodic_ghosts", "director", "wcsph", "beris_edwards", "active_stress", "flow_statistics"])
         self.assertEqual(told["disk"]["frames"], 3)
         self.assertEqual(told["disk"]["frame"], 256 * (16 + 8 + 16 + 16 + 8 + 8))  # the last two: what pictures show
 

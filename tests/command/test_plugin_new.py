@@ -38,7 +38,7 @@ class PluginNew(CommandTest):
             self.assertTrue(os.path.exists(self.path(folder, "narrow.cpp")))
 
     def test_unknown_kind(self):
-        self.assertIn('"physic" is no kind of plugin (there are: kernel, boundary, physics, observer); did you mean '
+        self.assertIn('"physic" is no kind of plugin (there are: kernel, boundary, initial, physics, observer); did you mean '
                       '"physics"?', self.refused("physic", "my_force"))
 
     def test_names_that_cannot_be(self):

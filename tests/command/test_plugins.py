@@ -1,5 +1,6 @@
 """plugin list and plugin info; plugins that are refused."""
 
+import glob
 import json
 import os
 import re
@@ -12,10 +13,12 @@ BUILT = os.path.join(os.path.dirname(os.path.dirname(MESOGEN)), "lib", "mesogen"
 
 
 def plugins_of_the_project():
-    """(kind, name) of every folder under plugins/."""
-    root = os.path.join(PROJECT, "plugins")
-    kinds = {"kernels": "kernel", "boundaries": "boundary", "physics": "physics", "observers": "observer"}
-    return [(kinds[kind], name) for kind in kinds for name in sorted(os.listdir(os.path.join(root, kind)))]
+    """(kind, name) of every plugin that a folder under plugins/ builds."""
+    found = []
+    for file in sorted(glob.glob(os.path.join(PROJECT, "plugins", "*", "*", "CMakeLists.txt"))):
+        with open(file, encoding="utf-8") as text:
+            found += [(kind, name) for name, kind in re.findall(r"NAME (\w+) KIND (\w+)", text.read())]
+    return found
 
 
 class Plugins(CommandTest):
@@ -65,7 +68,7 @@ class Plugins(CommandTest):
         self.assertRegex(out, r"viscosity +number, in Pa s, > 0, required")
         self.assertRegex(out, r"adds to: .*acceleration")
         self.assertRegex(out, r"(?m)^plugin interface: \d+, built with (gcc|clang)-itanium")
-        self.assertIn("publishes the constants: automatic_sound_speed, density, sound_speed, viscosity\n", out)
+        self.assertIn("publishes the constants: density, sound_speed, viscosity\n", out)
         self.assertIn("moves particles with: velocity, shift_velocity", out)
 
     def test_info_of_an_observer_tells_what_it_records(self):
@@ -111,7 +114,7 @@ class Plugins(CommandTest):
         self.assertEqual(first, {"name": "continuity", "phase": "rates", "reads": ["compression", "velocity_gradient"],
                                  "reads_neighbours": [], "reads_if_present": [],
                                  "writes": ["compression_midpoint", "density"], "accumulates": ["compression_rate"]})
-        self.assertEqual(told["constants"], ["automatic_sound_speed", "density", "sound_speed", "viscosity"])
+        self.assertEqual(told["constants"], ["density", "sound_speed", "viscosity"])
         self.assertEqual(told["moves_particles"], {"velocity": "velocity", "shift": "shift_velocity"})
 
     def test_info_for_programs_of_an_observer_and_a_kernel(self):

@@ -51,9 +51,9 @@ class Director final : public Initial {
         .sizes({3})
         .required()
         .only_with("type", {"defects"});
-    list.number_or("core", core_, "")
+    list.number_or("core", core_, "auto")
         .unit("m")
-        .doc("core radius of the defects; by default the spacing of the particles")
+        .doc("core radius of the defects; auto: the spacing of the particles")
         .above(0.0)
         .only_with("type", {"defects"});
   }
