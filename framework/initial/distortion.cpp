@@ -35,22 +35,21 @@ struct Carriers {
   std::array<std::vector<double>, 2> tensor;
 };
 
-Carriers with_dummies(const std::array<std::vector<double>, 2>& tensor,
-                      const std::array<std::vector<double>, 3>& position, const Scene& scene,
-                      const Boundary& boundary) {
+Carriers with_walls(const std::array<std::vector<double>, 2>& tensor,
+                    const std::array<std::vector<double>, 3>& position, const Scene& scene, const Boundary& boundary) {
   Carriers all{{}, tensor};
   for (std::size_t i = 0; i < position[0].size(); ++i) all.points.push_back({position[0][i], position[1][i]});
-  Dummies dummies;
-  boundary.dummies(scene, scene.support, dummies);
-  if (dummies.position.empty()) return all;
-  std::vector<Extension> extension(2 * dummies.position.size());
-  boundary.extend(scene, "order_tensor", 2, dummies, extension);
+  const std::vector<WallParticle> walls = boundary.wall_particles(scene, scene.support);
+  if (walls.empty()) return all;
+  const FieldKind field{Rank::order_tensor, FieldRole::state, scene.dimension};
   const PointCells<2> particles(scene, all.points, scene.spacing);
-  for (std::size_t n = 0; n < dummies.position.size(); ++n) {
-    const auto source = static_cast<std::size_t>(nearest(particles, point_of(dummies.mirror[n]), scene.spacing));
-    for (std::size_t c = 0; c < 2; ++c)
-      all.tensor[c].push_back(extension[2 * n + c].factor * tensor[c][source] + extension[2 * n + c].summand);
-    all.points.push_back(point_of(dummies.position[n]));
+  for (const WallParticle& wall : walls) {
+    const auto source = static_cast<std::size_t>(nearest(particles, point_of(wall.mirror), scene.spacing));
+    const AffineRule rule = boundary.wall_rule(scene, field, wall);
+    for (int c = 0; c < 2; ++c)
+      all.tensor[static_cast<std::size_t>(c)].push_back(rule.matrix(c, 0) * tensor[0][source] +
+                                                        rule.matrix(c, 1) * tensor[1][source] + rule.summand(c));
+    all.points.push_back(point_of(wall.position));
   }
   return all;
 }
@@ -63,7 +62,7 @@ Distortion distortion_of(const std::array<std::vector<double>, 2>& tensor,
   Distortion distortion;
   const std::size_t count = tensor[0].size();
   if (count == 0) return distortion;
-  const Carriers all = with_dummies(tensor, position, scene, boundary);
+  const Carriers all = with_walls(tensor, position, scene, boundary);
   const PointCells<2> cells(scene, all.points, scene.support);
   const double volume = scene.box[0] * scene.box[1] / static_cast<double>(count);
   std::vector<double> laplacian(count);
