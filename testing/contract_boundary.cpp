@@ -44,22 +44,6 @@ std::string inside_problem(const Boundary& boundary, const Scene& scene) {
   return {};
 }
 
-std::string copies_problem(const Boundary& boundary, const Scene& scene, PluginHarness& harness) {
-  const auto x = harness.position(0);
-  const auto y = harness.position(1);
-  const std::array<const double*, 3> position{x.data(), y.data(), nullptr};
-  Copies copies;
-  boundary.copies(scene, position.data(), static_cast<Index>(x.size()), scene.support, copies);
-  for (std::size_t n = 0; n < copies.source.size(); ++n) {
-    const auto source = static_cast<std::size_t>(copies.source[n]);
-    const double at_x = x[source] + copies.offset[n][0];
-    const double at_y = y[source] + copies.offset[n][1];
-    if (at_x >= 0.0 && at_x < scene.box[0] && at_y >= 0.0 && at_y < scene.box[1])
-      return fmt::format("a copy of particle {} lies inside the box, at ({}, {}) m", copies.source[n], at_x, at_y);
-  }
-  return {};
-}
-
 /// No particle sees from its sums that the box ends: a face where something is missing, or there twice, shows.
 std::string faces_problem(PluginHarness& harness, const Scene& scene) {
   const auto x = harness.position(0);
@@ -71,15 +55,15 @@ std::string faces_problem(PluginHarness& harness, const Scene& scene) {
     if (!(std::abs(volume[id] / volume[middle] - 1.0) < 1e-5))
       return fmt::format(
           "on a lattice the volume of a particle is {:.7g} m2 {}, and {:.7g} m2 in the middle: neighbours "
-          "beyond the faces are missing or are there twice",
+          "in walls or beyond the faces are missing or are there twice",
           volume[id], where(id), volume[middle]);
   for (int c = 0; c < scene.dimension; ++c) {
     const auto gradient = harness.values("constant_gradient", c);
     for (std::size_t id = 0; id < gradient.size(); ++id)
       if (!(std::abs(gradient[id]) * scene.spacing < 1e-6))
         return fmt::format(
-            "a field that is 1 everywhere has the gradient {:.4g} 1/m {}: carry_over or extend gives "
-            "something else beyond the faces",
+            "a field that is 1 everywhere has the gradient {:.4g} 1/m {}: ghost_rule or wall_rule gives "
+            "something else in walls or beyond the faces",
             gradient[id], where(id));
   }
   return {};
@@ -91,11 +75,6 @@ void check_boundary(ContractRun& run) {
   run.check("particles are kept inside, their paths unbroken", [&] {
     PluginHarness harness = run.harness();
     return inside_problem(harness.boundary(), harness.scene());
-  });
-  run.check("what lies beyond the faces lies beyond the faces", [&] {
-    PluginHarness harness = run.harness(lattice());
-    const Scene scene = harness.scene();
-    return copies_problem(harness.boundary(), scene, harness);
   });
   run.check("sums over neighbours see no face on a lattice", [&]() -> std::string {
     for (const Precision precision : {Precision::double_precision, Precision::single_precision}) {
@@ -123,7 +102,7 @@ void check_boundary(ContractRun& run) {
     std::string problem = difference(first, sums(1));
     if (!problem.empty()) return problem + ": something is left over from another run, or not set before it is read";
     problem = difference(first, sums(3));
-    return problem.empty() ? "" : problem + " (with 3 threads): let the order of the copies not depend on threads";
+    return problem.empty() ? "" : problem + " (with 3 threads): let wall particles and rules not depend on threads";
   });
 }
 

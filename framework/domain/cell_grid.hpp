@@ -43,11 +43,14 @@ class MESOGEN_EXPORT CellGrid {
     }
     return cell;
   }
-  /// Cell in the padding (or beside it, inside, along axes without offset) of a copy of a particle.
-  [[nodiscard]] Cell of_copy(const std::array<double, 3>& source, const std::array<double, 3>& offset) const;
-  /// Cell in the padding of a dummy. Throws Error(plugin_refused) if it lies beyond no face but those where the box
-  /// wraps: cells inside know particles only.
-  [[nodiscard]] Cell of_dummy(const std::array<double, 3>& position) const;
+  /// Cell along an axis of a position in an image that lies `boxes` boxes away, clamped to the padding: rounding must
+  /// not move it over a face.
+  [[nodiscard]] MESOGEN_HOST_DEVICE int beside(int axis, double position, int boxes) const {
+    const int lowest = boxes < 0 ? -padding_[axis] : boxes > 0 ? cells_[axis] : 0;
+    const int highest = boxes < 0 ? -1 : boxes > 0 ? cells_[axis] + padding_[axis] - 1 : cells_[axis] - 1;
+    const int at = along(axis, position);
+    return at < lowest ? lowest : at > highest ? highest : at;
+  }
   /// Cell inside the box nearest to a position.
   [[nodiscard]] Cell nearest_inside(const std::array<double, 3>& position) const;
   /// Index of a cell among all, the padding included.
@@ -61,7 +64,21 @@ class MESOGEN_EXPORT CellGrid {
     for (int d = 0; d < dimension_; ++d) count *= cells_[d];
     return count;
   }
-  [[nodiscard]] int padded_count() const;
+  /// The cell of such an index.
+  [[nodiscard]] MESOGEN_HOST_DEVICE Cell padded(int index) const {
+    Cell cell{};
+    for (int d = 0; d < dimension_; ++d) {
+      const int layers = cells_[d] + 2 * padding_[d];
+      cell[d] = index % layers - padding_[d];
+      index /= layers;
+    }
+    return cell;
+  }
+  [[nodiscard]] MESOGEN_HOST_DEVICE int padded_count() const {
+    int count = 1;
+    for (int d = 0; d < dimension_; ++d) count *= cells_[d] + 2 * padding_[d];
+    return count;
+  }
   /// Where the tile of a cell begins along an axis, m.
   [[nodiscard]] MESOGEN_HOST_DEVICE double tile_origin(int axis, int cell) const {
     if (axis > 0) return cell * width_[axis];
@@ -79,7 +96,6 @@ class MESOGEN_EXPORT CellGrid {
 
  private:
   int dimension_;
-  std::array<double, 3> box_{};
   std::array<int, 3> cells_{1, 1, 1};
   std::array<int, 3> padding_{};
   std::array<int, 3> reach_{};

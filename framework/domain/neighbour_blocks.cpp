@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <limits>
 #include <numbers>
+#include <numeric>
 #include <utility>
 
 #include "mesogen/exec/lanes.hpp"
@@ -24,25 +25,27 @@ class Search {
     std::fill_n(beyond_ + lanes, lanes, std::numeric_limits<Real>::infinity());
   }
 
-  /// Appends the blocks of particle i, whose neighbours lie in these segments.
-  void find(Index i, const Segment<Real, Dim>* segments, int count, std::vector<NeighbourBlock>& out) const {
+  /// action(block) for the blocks around a point, relative to its tile, whose neighbours lie in these segments.
+  template <class Action>
+  void find(const Real (&point)[Dim], const Segment<Real, Dim>* segments, int count, const Action& action) const {
     for (int s = 0; s < count; ++s) {
       const Segment<Real, Dim>& segment = segments[s];
-      const auto [first, end] = within_reach(i, segment);
+      const auto [first, end] = within_reach(point, segment);
       NeighbourBlock block{};
       for (int d = 0; d < Dim; ++d) block.shift[d] = static_cast<std::int8_t>(segment.shift[d]);
       for (block.first = first; block.first < end; block.first += NeighbourBlock::width<Real>) {
         block.lanes = static_cast<std::int8_t>(std::min<Index>(NeighbourBlock::width<Real>, end - block.first));
-        out.push_back(block);
+        action(block);
       }
     }
   }
 
  private:
   /// From the first particle of a segment that is near enough to one past the last.
-  [[nodiscard]] std::pair<Index, Index> within_reach(Index i, const Segment<Real, Dim>& segment) const {
+  [[nodiscard]] std::pair<Index, Index> within_reach(const Real (&point)[Dim],
+                                                     const Segment<Real, Dim>& segment) const {
     Lane at[Dim];
-    for (int d = 0; d < Dim; ++d) at[d] = Lane(grid_.local[d][i] - segment.offset[d]);
+    for (int d = 0; d < Dim; ++d) at[d] = Lane(point[d] - segment.offset[d]);
     Index first = segment.end;
     Index end = segment.end;
     for (Index j = segment.begin; j < segment.end; j += lanes) {
@@ -73,12 +76,7 @@ template <class Real, int Dim>
 void NeighbourBlocks::find(const Neighbours<Real, Dim>& grid, double range) {
   const Search<Real, Dim> search(grid, range);
   const int cells = grid.cell_count();
-  for (int d = 0; d < Dim; ++d) {
-    offset[d].clear();
-    for (int shift = -NeighbourBlock::most_shift; shift <= NeighbourBlock::most_shift; ++shift)
-      offset[d].push_back(shift * grid.width[d]);
-    offset_single[d].assign(offset[d].begin(), offset[d].end());
-  }
+  find_offsets(grid.width, Dim);
   begin.resize(static_cast<std::size_t>(grid.particle_count) + 1);
   std::vector<std::int64_t> part_begin;  // of what each thread finds
 #pragma omp parallel
@@ -103,7 +101,9 @@ void NeighbourBlocks::find(const Neighbours<Real, Dim>& grid, double range) {
       last_particle = grid.cell_end[index];
       for (Index i = grid.cell_begin[index]; i < last_particle; ++i) {
         begin[static_cast<std::size_t>(i)] = static_cast<std::int64_t>(found.size());
-        search.find(i, segment, segments, found);
+        Real point[Dim];
+        for (int d = 0; d < Dim; ++d) point[d] = grid.local[d][i];
+        search.find(point, segment, segments, [&](const NeighbourBlock& one) { found.push_back(one); });
       }
     }
     part_begin[part + 1] = static_cast<std::int64_t>(found.size());
@@ -119,6 +119,49 @@ void NeighbourBlocks::find(const Neighbours<Real, Dim>& grid, double range) {
   }
 }
 
+// Twice: to count the blocks of each point, and to store them.
+template <class Real, int Dim>
+void NeighbourBlocks::find_around(const Neighbours<Real, Dim>& grid, const std::array<std::vector<double>, 3>& local,
+                                  const std::vector<std::array<int, 3>>& cell, double range) {
+  const Search<Real, Dim> search(grid, range);
+  find_offsets(grid.width, Dim);
+  const auto points = static_cast<Index>(cell.size());
+  const auto visit = [&](std::size_t n, const auto& action) {
+    int at[Dim];
+    Real point[Dim];
+    for (int d = 0; d < Dim; ++d) {
+      at[d] = cell[n][static_cast<std::size_t>(d)];
+      point[d] = static_cast<Real>(local[static_cast<std::size_t>(d)][n]);
+    }
+    Segment<Real, Dim> segment[Neighbours<Real, Dim>::most_segments];
+    search.find(point, segment, grid.segments(at, segment), action);
+  };
+  begin.assign(cell.size() + 1, 0);
+#pragma omp parallel for schedule(static)
+  for (Index n = 0; n < points; ++n) {
+    const auto own = static_cast<std::size_t>(n);
+    visit(own, [&](const NeighbourBlock&) { ++begin[own + 1]; });
+  }
+  std::partial_sum(begin.begin(), begin.end(), begin.begin());
+  block.resize(static_cast<std::size_t>(begin.back()));
+#pragma omp parallel for schedule(static)
+  for (Index n = 0; n < points; ++n) {
+    const auto own = static_cast<std::size_t>(n);
+    auto next = static_cast<std::size_t>(begin[own]);
+    visit(own, [&](const NeighbourBlock& one) { block[next++] = one; });
+  }
+}
+
+void NeighbourBlocks::find_offsets(const double* width, int dimension) {
+  for (int d = 0; d < dimension; ++d) {
+    const auto axis = static_cast<std::size_t>(d);
+    offset[axis].clear();
+    for (int shift = -NeighbourBlock::most_shift; shift <= NeighbourBlock::most_shift; ++shift)
+      offset[axis].push_back(shift * width[d]);
+    offset_single[axis].assign(offset[axis].begin(), offset[axis].end());
+  }
+}
+
 // Measured on lattices and on disordered particles: a tenth more than the disc, and half a block for each row that it
 // meets.
 double NeighbourBlocks::expected(double range, double row, int width) {
@@ -130,5 +173,12 @@ template void NeighbourBlocks::find(const Neighbours<float, 2>&, double);
 template void NeighbourBlocks::find(const Neighbours<double, 2>&, double);
 template void NeighbourBlocks::find(const Neighbours<float, 3>&, double);
 template void NeighbourBlocks::find(const Neighbours<double, 3>&, double);
+
+using Local = std::array<std::vector<double>, 3>;
+using Cells = std::vector<std::array<int, 3>>;
+template void NeighbourBlocks::find_around(const Neighbours<float, 2>&, const Local&, const Cells&, double);
+template void NeighbourBlocks::find_around(const Neighbours<double, 2>&, const Local&, const Cells&, double);
+template void NeighbourBlocks::find_around(const Neighbours<float, 3>&, const Local&, const Cells&, double);
+template void NeighbourBlocks::find_around(const Neighbours<double, 3>&, const Local&, const Cells&, double);
 
 }  // namespace mesogen

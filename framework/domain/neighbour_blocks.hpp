@@ -20,9 +20,17 @@ struct MESOGEN_EXPORT NeighbourBlocks {
   template <class Real, int Dim>
   void find(const Neighbours<Real, Dim>& grid, double range);
 
+  /// The same for points anywhere in the box: the n-th lies in cell[n], at local[d][n] relative to its tile, m.
+  template <class Real, int Dim>
+  void find_around(const Neighbours<Real, Dim>& grid, const std::array<std::vector<double>, 3>& local,
+                   const std::vector<std::array<int, 3>>& cell, double range);
+
   /// How many a particle has on average, where particles are evenly spread, for memory to be foretold.
   /// `range` and `row`, the height of cells, in particle spacings; `width` of a block.
   static double expected(double range, double row, int width);
+
+ private:
+  void find_offsets(const double* width, int dimension);
 };
 
 }  // namespace mesogen

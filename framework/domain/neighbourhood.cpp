@@ -10,10 +10,8 @@ namespace mesogen {
 
 namespace {
 
-template <class T>
-std::array<exec::Array<T>, 3> three(exec::Memory& memory) {
-  return {exec::Array<T>(memory), exec::Array<T>(memory), exec::Array<T>(memory)};
-}
+// Pair loops read whole packs.
+constexpr std::size_t pack_tail = 16;
 
 template <class T>
 std::array<const T*, 3> places(const std::array<exec::Array<T>, 3>& arrays) {
@@ -28,25 +26,26 @@ Neighbourhood::Neighbourhood(const Scene& scene, const Boundary& boundary, const
       backend_(backend),
       skin_(skin_in_spacings * scene.spacing),
       grid_(scene, boundary, scene.support + skin_),
-      sorted_position_(three<double>(backend.memory())),
+      sorted_position_(exec::three<double>(backend.memory())),
       order_(backend.memory()),
       cell_of_(backend.memory()),
-      cell_begin_(backend.memory()),
-      cell_end_(backend.memory()),
+      cell_begin_(static_cast<std::size_t>(grid_.padded_count()), 0, backend.memory()),
+      cell_end_(cell_begin_.size(), 0, backend.memory()),
       blocks_wanted_(backend.on_host()),
-      copy_source_(backend.memory()),
-      copy_offset_(three<double>(backend.memory())),
-      outside_origin_(three<double>(backend.memory())),
-      local_single_(three<float>(backend.memory())),
-      local_double_(three<double>(backend.memory())),
+      ghosts_(images_of(scene, boundary), backend),
+      walls_(scene, boundary, grid_, ghosts_.images(), scene.support + skin_, backend.memory()),
+      local_single_(exec::three<float>(backend.memory())),
+      local_double_(exec::three<double>(backend.memory())),
       scratch_(backend.memory()) {
-  boundary.dummies(scene, scene.support + skin_, dummies_);
+  place_mirrors();
 }
 
-std::array<double, 3> Neighbourhood::sorted_at(Index i) const {
-  std::array<double, 3> at{};
-  for (int d = 0; d < scene_.dimension; ++d) at[d] = sorted_position_[d][i];
-  return at;
+void Neighbourhood::place_mirrors() {
+  for (const WallSet::Member& wall : walls_.members()) {
+    mirror_cell_.push_back(grid_.nearest_inside(wall.particle.mirror));
+    for (int d = 0; d < scene_.dimension; ++d)
+      mirror_local_[d].push_back(wall.particle.mirror[d] - grid_.tile_origin(d, mirror_cell_.back()[d]));
+  }
 }
 
 const exec::Array<Index>* Neighbourhood::update(Particles& particles) {
@@ -75,7 +74,7 @@ const exec::Array<Index>& Neighbourhood::reorder(Particles& particles) {
 void Neighbourhood::order(Particles& particles) {
   sort_particles(particles);
   find_cells();
-  make_outside();
+  build_ghosts();
   blocks_found_ = false;
 }
 
@@ -84,7 +83,7 @@ void Neighbourhood::restore(const std::array<std::vector<double>, 3>& sorted_pos
   for (int d = 0; d < scene_.dimension; ++d)
     sorted_position_[d].assign(sorted_position[d].begin(), sorted_position[d].end());
   find_cells();
-  make_outside();
+  build_ghosts();
   blocks_found_ = false;
 }
 
@@ -92,7 +91,7 @@ void Neighbourhood::restore(const std::array<std::vector<double>, 3>& sorted_pos
 void Neighbourhood::find_blocks() {
   blocks_found_ = true;
   (void)place(sorted_position_);
-  if (!blocks_wanted_) return;
+  if (!blocks_wanted_ && walls_.count() == 0) return;
   backend_.finish();
   const bool single = scene_.precision == Precision::single_precision;
   if (scene_.dimension == 2) {
@@ -107,7 +106,10 @@ void Neighbourhood::find_blocks_of() {
   Neighbours<Real, Dim> grid{};
   fill(grid);
   // Two particles may each move by half the skin; a hundredth of it is for rounding.
-  blocks_.find(grid, scene_.support + 1.01 * skin_);
+  if (blocks_wanted_) blocks_.find(grid, scene_.support + 1.01 * skin_);
+  // A mirror point sees the fluid alone, and does not move.
+  grid.wall_begin = grid.wall_end = nullptr;
+  if (walls_.count() > 0) mirror_blocks_.find_around(grid, mirror_local_, mirror_cell_, scene_.support + 0.51 * skin_);
 }
 
 void Neighbourhood::keep_inside(Particles& particles, Index i) const {
@@ -181,6 +183,31 @@ void Neighbourhood::find_cells() {
   backend_.cells().find_cells(grid_, places(sorted_position_).data(), count, cell_of_.data());
 }
 
+// Ghosts are found by cell as particles are; those of the walls have tables of their own.
+void Neighbourhood::build_ghosts() {
+  const auto count = static_cast<Index>(cell_of_.size());
+  ghosts_.build(scene_, grid_, sorted_position_, scene_.support + skin_);
+  if (ghosts_.images().count > 0)
+    backend_.cells().find_ghost_ranges(grid_, ghosts_.cell().data(), ghosts_.count(), count + walls_.count(),
+                                       cell_begin_.data(), cell_end_.data());
+  backend_.cells().find_ranges(grid_, cell_of_.data(), count, cell_begin_.data(), cell_end_.data());
+  make_room();
+  ++sorted_version_;
+}
+
+void Neighbourhood::make_room() {
+  backend_.finish();
+  const std::size_t stored = cell_of_.size() + static_cast<std::size_t>(boundary_count()) + pack_tail;
+  const auto resize = [&](auto& local) {
+    // Ghosts come and go: a little room keeps the array where it is.
+    if (local.capacity() < stored) local.reserve(stored + stored / 16);
+    local.resize(stored);
+    std::fill(local.end() - pack_tail, local.end(), 0);
+  };
+  for (int d = 0; d < scene_.dimension; ++d)
+    scene_.precision == Precision::single_precision ? resize(local_single_[d]) : resize(local_double_[d]);
+}
+
 // Coordinates relative to tiles; false if a particle has left the skin.
 template <class Real>
 bool Neighbourhood::place(const std::array<exec::Array<double>, 3>& position,
@@ -190,15 +217,12 @@ bool Neighbourhood::place(const std::array<exec::Array<double>, 3>& position,
     placing.position[d] = position[d].data();
     placing.sorted[d] = sorted_position_[d].data();
     placing.local[d] = local[d].data();
-    placing.offset[d] = copy_offset_[d].data();
-    placing.origin[d] = outside_origin_[d].data();
   }
   placing.cell_begin = cell_begin_.data();
   placing.cell_end = cell_end_.data();
   placing.farthest_square = skin_ * skin_ / 4.0;
-  placing.particles = static_cast<Index>(position[0].size());
-  placing.copies = static_cast<Index>(copy_source_.size());
-  placing.source = copy_source_.data();
+  placing.walls = wall_view();
+  placing.ghosts = ghost_view();
   return backend_.loops<Real>().place(grid_, placing);
 }
 
@@ -225,6 +249,8 @@ void Neighbourhood::fill(Neighbours<Real, Dim>& grid) const {
   }
   grid.cell_begin = cell_begin_.data();
   grid.cell_end = cell_end_.data();
+  grid.wall_begin = walls_.cell_begin();
+  grid.wall_end = walls_.cell_end();
   grid.cell_of = cell_of_.data();
   grid.block_begin = blocks_.begin.data();
   grid.block = blocks_.block.data();
@@ -234,6 +260,18 @@ void Neighbourhood::fill(Neighbours<Real, Dim>& grid) const {
   const double h = scene_.smoothing_length;
   grid.smallest = Real((sizeof(Real) == sizeof(float) ? 1e-14 : 1e-30) * h * h);
 }
+template <int Dim>
+sph::MirrorPoints<Dim> Neighbourhood::mirrors() const {
+  sph::MirrorPoints<Dim> points{walls_.count(), {}, {}, mirror_blocks_.begin.data(), mirror_blocks_.block.data()};
+  for (int d = 0; d < Dim; ++d) {
+    points.local[d] = mirror_local_[d].data();
+    points.offset[d] = mirror_blocks_.offset[d].data();
+  }
+  return points;
+}
+template sph::MirrorPoints<2> Neighbourhood::mirrors() const;
+template sph::MirrorPoints<3> Neighbourhood::mirrors() const;
+
 template void Neighbourhood::fill(Neighbours<float, 2>&) const;
 template void Neighbourhood::fill(Neighbours<double, 2>&) const;
 template void Neighbourhood::fill(Neighbours<float, 3>&) const;

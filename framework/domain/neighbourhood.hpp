@@ -9,16 +9,19 @@
 #include "domain/particles.hpp"
 #include "exec/backend.hpp"
 #include "exec/memory.hpp"
+#include "ghosts/ghosts.hpp"
+#include "ghosts/wall_set.hpp"
 #include "mesogen/domain/neighbours.hpp"
 #include "mesogen/export.hpp"
 #include "mesogen/plugin/boundary.hpp"
 #include "mesogen/plugin/scene.hpp"
+#include "sph/mirror_values.hpp"
 
 namespace mesogen {
 
-/// The cell grid, the order of particles in storage and what lies beyond the faces: copies, or the dummies of a wall.
+/// The cell grid and all that lies in it: particles of the fluid, of walls, and ghosts, in this order of storage.
 ///
-/// Cells reach a little farther than the support (the skin), so the sorting and the copies stay valid until some
+/// Cells reach a little farther than the support (the skin), so the sorting and the ghosts stay valid until some
 /// particle has moved by half of it: hundreds of steps in a slow flow. All that follows from `sorted_position()`, the
 /// coordinates at the last sorting; a checkpoint keeps them, so that a resumed run sums in the same order.
 class MESOGEN_EXPORT Neighbourhood {
@@ -51,21 +54,21 @@ class MESOGEN_EXPORT Neighbourhood {
   void restore(const std::array<std::vector<double>, 3>& sorted_position);
   [[nodiscard]] const std::array<exec::Array<double>, 3>& sorted_position() const { return sorted_position_; }
 
-  [[nodiscard]] const Copies& copies() const { return copies_; }
-  /// Their sources, where loops on a device find them.
-  [[nodiscard]] const exec::Array<Index>& copy_source() const { return copy_source_; }
-  /// In the order of storage.
-  [[nodiscard]] const Dummies& dummies() const { return dummies_; }
-  /// Copies or dummies: stored behind the particles.
-  [[nodiscard]] Index outside_count() const {
-    return static_cast<Index>(copies_.source.size() + dummies_.position.size());
-  }
+  [[nodiscard]] const WallSet& walls() const { return walls_; }
+  [[nodiscard]] const Ghosts& ghosts() const { return ghosts_; }
+  [[nodiscard]] WallView wall_view() const { return walls_.view(scene_.particle_count); }
+  [[nodiscard]] GhostView ghost_view() const { return ghosts_.view(scene_.particle_count + walls_.count()); }
+  /// How many wall particles and ghosts are stored behind the particles.
+  [[nodiscard]] Index boundary_count() const { return walls_.count() + ghosts_.count(); }
+  /// Particles and ghosts around the mirror points of the walls, as they were at the last sorting.
+  template <int Dim>
+  [[nodiscard]] sph::MirrorPoints<Dim> mirrors() const;
   [[nodiscard]] const CellGrid& grid() const { return grid_; }
   /// How much farther than the support cells reach, m: between sortings a particle strays by at most half of it.
   [[nodiscard]] double skin() const { return skin_; }
   /// Raised whenever a particle has moved: what was computed from positions is out of date.
   [[nodiscard]] std::uint64_t version() const { return version_; }
-  /// Raised whenever the copies are others.
+  /// Raised whenever the ghosts are others.
   [[nodiscard]] std::uint64_t sorted_version() const { return sorted_version_; }
   [[nodiscard]] std::int64_t sortings() const { return sortings_; }
 
@@ -78,10 +81,9 @@ class MESOGEN_EXPORT Neighbourhood {
   void keep_inside(Particles& particles, Index i) const;
   void sort_particles(Particles& particles);
   void find_cells();
-  void make_outside();
-  [[nodiscard]] std::vector<Index> order_outside(const std::vector<CellGrid::Cell>& cell);
-  void fill_cell_tables(const std::vector<Index>& outside_begin);
-  [[nodiscard]] std::array<double, 3> sorted_at(Index i) const;
+  void build_ghosts();
+  void make_room();
+  void place_mirrors();
   template <class Real>
   [[nodiscard]] bool place(const std::array<exec::Array<double>, 3>& position,
                            std::array<exec::Array<Real>, 3>& local) const;
@@ -104,11 +106,11 @@ class MESOGEN_EXPORT Neighbourhood {
   NeighbourBlocks blocks_;
   bool blocks_wanted_;
   bool blocks_found_ = false;
-  Copies copies_;
-  Dummies dummies_;
-  exec::Array<Index> copy_source_;
-  std::array<exec::Array<double>, 3> copy_offset_;
-  std::array<exec::Array<double>, 3> outside_origin_;  // of the tile of each copy or dummy
+  Ghosts ghosts_;
+  WallSet walls_;
+  std::vector<CellGrid::Cell> mirror_cell_;          // of the mirror point of each wall particle
+  std::array<std::vector<double>, 3> mirror_local_;  // relative to the tile of its cell
+  NeighbourBlocks mirror_blocks_;
   std::array<exec::Array<float>, 3> local_single_;
   std::array<exec::Array<double>, 3> local_double_;
   /// Room for one array of each kind while particles change places.

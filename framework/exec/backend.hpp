@@ -1,20 +1,22 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <type_traits>
 
 #include "exec/memory.hpp"
+#include "ghosts/views.hpp"
 #include "mesogen/domain/neighbours.hpp"
 #include "mesogen/exec/for_each.hpp"
 #include "mesogen/export.hpp"
 #include "mesogen/field/view.hpp"
-#include "mesogen/plugin/boundary.hpp"
 #include "mesogen/sph/kernel_function.hpp"
 
 namespace mesogen {
 
 class CellGrid;
+struct ImageSearch;
 struct FieldDeclaration;
 struct Pass;
 struct Transport;
@@ -67,7 +69,7 @@ struct MovingByPasses {
   int dimension;
 };
 
-/// Coordinates relative to the tiles of the cell grid, of particles and copies.
+/// Coordinates relative to the tiles of the cell grid, of particles, walls and ghosts.
 template <class Real>
 struct Placing {
   const double* position[3];
@@ -76,11 +78,16 @@ struct Placing {
   const Index* cell_begin;
   const Index* cell_end;
   double farthest_square;  ///< by which a particle may have strayed, m2
-  Index particles;
-  Index copies;
-  const Index* source;  ///< of copies
-  const double* offset[3];
-  const double* origin[3];  ///< of their tiles
+  WallView walls;
+  GhostView ghosts;
+};
+
+/// Ghosts while they are made.
+struct GhostArrays {
+  Index* source;
+  std::uint8_t* image;
+  Index* cell;  ///< padded index
+  std::array<double*, 3> offset;
 };
 
 template <class Real>
@@ -92,9 +99,8 @@ class Loops {
   virtual ~Loops() = default;
 
   virtual void zero(FieldView<Real> field, int components, Index count) const = 0;
-  /// Values of copies: those of their sources, by `rule` (copy by copy, all components of each) unless it is null.
-  virtual void carry_over(FieldView<Real> field, int components, Index count, const Index* source, Index copies,
-                          const Extension* rule) const = 0;
+  /// Values of ghosts: those of their sources, by the rules of their images.
+  virtual void refresh(const GhostView& ghosts, const RuleView& rules, FieldView<Real> field, int components) const = 0;
   /// Finds the largest squared length of the value, and next of the rate; infinite where something is not a number.
   virtual Finding advance(const Advancing<Real>& advancing, Index count) const = 0;
   /// Finds a number above 0 if a particle is nowhere.
@@ -131,9 +137,23 @@ class CellLoops {
   virtual void order(const Index* cell, const std::int64_t* id, Index count, int cells, Index* order) const = 0;
   /// First and last particle (one past it) of each cell of the box, from particles stored by cell.
   virtual void find_ranges(const CellGrid& grid, const Index* cell, Index count, Index* begin, Index* end) const = 0;
+  /// The same of ghosts, for all cells: `cell` has padded indices, `first` is the place of the first ghost.
+  virtual void find_ghost_ranges(const CellGrid& grid, const Index* cell, Index count, Index first, Index* begin,
+                                 Index* end) const = 0;
   /// Particles outside the box: as many as it returns, in no order, at `found`, which has room for all.
   virtual Index find_outside(const double* const* position, const double* box, int dimension, Index count,
                              Index* found) const = 0;
+  /// values[i] becomes the sum of all before it, values[count] the sum of all, which it returns. Waits for the answer.
+  virtual Index running_sums(Index* values, Index count) const = 0;
+
+  /// How many ghosts each particle has.
+  virtual void count_ghosts(const ImageSearch& search, Index particles, Index* number) const = 0;
+  /// Ghosts in the order of their sources: particle i writes from begin[i] on. `number` counts them.
+  virtual void list_ghosts(const ImageSearch& search, const CellGrid& grid, Index particles, const Index* begin,
+                           const GhostArrays& to, std::int64_t* number) const = 0;
+  /// Place n takes what stood at order[n]; `origin` gets the tiles of the cells.
+  virtual void order_ghosts(const CellGrid& grid, const GhostArrays& from, const Index* order, Index count,
+                            const GhostArrays& to, const std::array<double*, 3>& origin) const = 0;
 
   virtual void permute(float* values, const Index* order, Index count, float* scratch) const = 0;
   virtual void permute(double* values, const Index* order, Index count, double* scratch) const = 0;

@@ -38,6 +38,25 @@ struct FindRanges {
   }
 };
 
+/// The same of ghosts, which may lie in any cell.
+struct FindGhostRanges {
+  const Index* cell;
+  Index count;
+  Index first_place;
+  int cells;
+  Index* begin;
+  Index* end;
+
+  MESOGEN_HOST_DEVICE void operator()(Index n) const {
+    const int first = n == 0 ? 0 : cell[n - 1] + 1;
+    const int last = n == count ? cells : cell[n];
+    for (int c = first; c <= last; ++c) {
+      if (c > 0) end[c - 1] = first_place + n;
+      if (c < cells) begin[c] = first_place + n;
+    }
+  }
+};
+
 /// Places the particles of a cell; raises above zero if one has strayed too far.
 template <class Real>
 struct PlaceParticles {
@@ -60,17 +79,6 @@ struct PlaceParticles {
       // Written so that NaN counts as having strayed; the guard after the step names it.
       if (!(moved <= p.farthest_square)) strayed.value[0] = 1.0;
     }
-  }
-};
-
-template <class Real>
-struct PlaceCopies {
-  int dimension;
-  Placing<Real> p;
-
-  MESOGEN_HOST_DEVICE void operator()(Index n) const {
-    for (int d = 0; d < dimension; ++d)
-      p.local[d][p.particles + n] = Real(p.position[d][p.source[n]] + p.offset[d][n] - p.origin[d][n]);
   }
 };
 

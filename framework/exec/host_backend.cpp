@@ -2,6 +2,7 @@
 #include "exec/loops_here.hpp"
 #include "exec/order_by_cell.hpp"
 #include "exec/outside.hpp"
+#include "exec/running_sums.hpp"
 
 namespace mesogen {
 
@@ -17,6 +18,7 @@ class HostCellLoops final : public exec::CellLoopsHere {
                      Index* found) const override {
     return exec::find_outside(position, box, dimension, count, found);
   }
+  Index running_sums(Index* values, Index count) const override { return exec::running_sums(values, count); }
 };
 
 class HostBackend final : public exec::BackendHere {

@@ -5,6 +5,7 @@
 #include "exec/cell_functors.hpp"
 #include "exec/largest.hpp"
 #include "exec/motion_functors.hpp"
+#include "ghosts/ghost_functors.hpp"
 #include "schedule/advection.hpp"
 #include "sph/standard_passes.hpp"
 
@@ -20,9 +21,8 @@ class LoopsHere final : public Loops<Real> {
   void zero(FieldView<Real> field, int components, Index count) const override {
     for_each(space_, count, Zero<Real>{field, components});
   }
-  void carry_over(FieldView<Real> field, int components, Index count, const Index* source, Index copies,
-                  const Extension* rule) const override {
-    for_each(space_, copies, CarryOver<Real>{field, components, count, source, rule});
+  void refresh(const GhostView& ghosts, const RuleView& rules, FieldView<Real> field, int components) const override {
+    for_each(space_, ghosts.count, RefreshGhosts<Real>{field, components, ghosts, rules});
   }
   Finding advance(const Advancing<Real>& advancing, Index count) const override {
     switch (advancing.components) {
@@ -60,7 +60,8 @@ class LoopsHere final : public Loops<Real> {
         find_largest<1>(space_, findings_, grid.inside_count(), PlaceParticles<Real>{grid, placing});
     findings_.collect(space_);
     if (findings_.found(strayed) > 0.0) return false;
-    for_each(space_, placing.copies, PlaceCopies<Real>{grid.dimension(), placing});
+    for_each(space_, placing.walls.count, PlaceWalls<Real>{grid.dimension(), placing});
+    for_each(space_, placing.ghosts.count, PlaceGhosts<Real>{grid.dimension(), placing});
     return true;
   }
 
@@ -93,6 +94,21 @@ class CellLoopsHere : public CellLoops {
   }
   void find_ranges(const CellGrid& grid, const Index* cell, Index count, Index* begin, Index* end) const override {
     for_each(space_, count + 1, FindRanges{grid, cell, count, begin, end});
+  }
+  void find_ghost_ranges(const CellGrid& grid, const Index* cell, Index count, Index first, Index* begin,
+                         Index* end) const override {
+    for_each(space_, count + 1, FindGhostRanges{cell, count, first, grid.padded_count(), begin, end});
+  }
+  void count_ghosts(const ImageSearch& search, Index particles, Index* number) const override {
+    for_each(space_, particles, CountGhosts{search, number});
+  }
+  void list_ghosts(const ImageSearch& search, const CellGrid& grid, Index particles, const Index* begin,
+                   const GhostArrays& to, std::int64_t* number) const override {
+    for_each(space_, particles, ListGhosts{search, grid, begin, to, number});
+  }
+  void order_ghosts(const CellGrid& grid, const GhostArrays& from, const Index* order, Index count,
+                    const GhostArrays& to, const std::array<double*, 3>& origin) const override {
+    for_each(space_, count, OrderGhosts{grid, from, order, to, origin});
   }
   void permute(float* values, const Index* order, Index count, float* scratch) const override {
     permuted(values, order, count, scratch);

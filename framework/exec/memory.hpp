@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <type_traits>
 #include <vector>
@@ -53,5 +54,11 @@ class Allocator {
 
 template <class T>
 using Array = std::vector<T, Allocator<T>>;
+
+/// One array per axis.
+template <class T>
+std::array<Array<T>, 3> three(Memory& memory) {
+  return {Array<T>(memory), Array<T>(memory), Array<T>(memory)};
+}
 
 }  // namespace mesogen::exec

@@ -131,28 +131,6 @@ struct LengthOutside {
   }
 };
 
-/// Copies behind the particles.
-template <class Real>
-struct CarryOver {
-  FieldView<Real> field;
-  int components;
-  Index count;
-  const Index* source;
-  const Extension* rule;
-
-  MESOGEN_HOST_DEVICE void operator()(Index copy) const {
-    for (int c = 0; c < components; ++c) {
-      const Real value = field(c, source[copy]);
-      if (rule == nullptr) {
-        field(c, count + copy) = value;
-      } else {
-        const Extension& r = rule[copy * components + c];
-        field(c, count + copy) = static_cast<Real>(r.factor * static_cast<double>(value) + r.summand);
-      }
-    }
-  }
-};
-
 template <class T>
 struct Zero {
   FieldView<T> field;

@@ -29,8 +29,8 @@ Field::Field(std::string name, int components, Precision precision, bool integra
       single_(backend.memory()),
       double_(backend.memory()) {}
 
-void Field::resize(Index particles, Index copies) {
-  const std::ptrdiff_t needed = static_cast<std::ptrdiff_t>(particles) + copies;
+void Field::resize(Index particles, Index of_boundary) {
+  const std::ptrdiff_t needed = static_cast<std::ptrdiff_t>(particles) + of_boundary;
   if (needed > stride_ || stride_ == 0) {
     backend_.finish();
     const std::ptrdiff_t roomy = (needed + needed / 16 + 2 * pack_tail) / pack_tail * pack_tail;

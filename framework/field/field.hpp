@@ -3,18 +3,19 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "exec/backend.hpp"
 #include "exec/memory.hpp"
 #include "mesogen/export.hpp"
-#include "mesogen/field/rank.hpp"
+#include "mesogen/field/kind.hpp"
 #include "mesogen/field/view.hpp"
 
 namespace mesogen {
 
-/// A named array over particles and boundary copies.
+/// A named array over the particles of the fluid, those of walls, and ghosts.
 ///
 /// Passes see it in the precision of the run. A field that is advanced in time also has a master copy in double: a step
 /// changes it by less than float resolves (at the paper's parameters by 1e-7 of itself).
@@ -28,8 +29,8 @@ class MESOGEN_EXPORT Field {
   [[nodiscard]] bool integrated() const { return integrated_; }
   [[nodiscard]] bool is_double() const { return precision_ == Precision::double_precision; }
 
-  /// Makes room for so many particles and copies; keeps the values of the particles.
-  void resize(Index particles, Index copies);
+  /// Makes room for so many particles, and for wall particles and ghosts; keeps the values of the particles.
+  void resize(Index particles, Index of_boundary);
 
   template <class Real>
   [[nodiscard]] FieldView<Real> view();
@@ -39,8 +40,8 @@ class MESOGEN_EXPORT Field {
   [[nodiscard]] double value(int component, Index particle) const;
   void set(int component, Index particle, double value);
   void fill_zero();
-  /// Exchanges the doubles of two integrated fields of as many components, without touching them. What lies beyond the
-  /// faces of either is out of date then.
+  /// Exchanges the doubles of two integrated fields of as many components, without touching them. Ghosts and walls of
+  /// either are out of date then.
   void exchange_master(Field& other);
 
   /// Room that permuting a field takes; one for all of them.
@@ -53,11 +54,13 @@ class MESOGEN_EXPORT Field {
   /// stays.
   void permute(const exec::Array<Index>& order, Scratch& scratch);
 
-  /// Every write raises the version; what lies beyond the faces is of version `refreshed`, and at a wall of the
-  /// positions `refreshed_at`.
+  /// Every write raises the version; ghosts are of version `refreshed`, and walls of the positions `refreshed_at`.
   std::uint64_t version = 1;
   std::uint64_t refreshed = 0;
   std::uint64_t refreshed_at = 0;
+
+  /// What a boundary goes by. Without it the values at ghosts and walls are the same as in the fluid.
+  std::optional<FieldKind> kind;
 
   std::string unit;
   std::string doc;

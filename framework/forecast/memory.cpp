@@ -1,8 +1,6 @@
 #include "forecast/memory.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <numbers>
 #include <set>
 
 #include "domain/neighbourhood.hpp"
@@ -33,16 +31,12 @@ class Counted {
         grid_(scene_, *setup.boundary, reach_),
         block_width_(number_ == single ? NeighbourBlock::width<float> : NeighbourBlock::width<double>),
         blocks_(particles_ *
-                NeighbourBlocks::expected(reach_ / scene_.spacing, grid_.width(1) / scene_.spacing, block_width_)),
-        neighbours_(std::numbers::pi * std::pow(scene_.support / scene_.spacing, 2)) {
-    Copies copies;
+                NeighbourBlocks::expected(reach_ / scene_.spacing, grid_.width(1) / scene_.spacing, block_width_)) {
     const auto& position = setup.arrangement.position;
     const double* axes[3] = {position[0].data(), position[1].data(), position[2].data()};
-    setup.boundary->copies(scene_, axes, scene_.particle_count, reach_, copies);
-    copies_ = static_cast<double>(copies.source.size());
-    Dummies dummies;
-    setup.boundary->dummies(scene_, reach_, dummies);
-    dummies_ = static_cast<double>(dummies.position.size());
+    const Images images = images_of(scene_, *setup.boundary);
+    ghosts_ = count_ghosts(scene_, images, axes, scene_.particle_count, reach_);
+    walls_ = WallSet(scene_, *setup.boundary, grid_, images, reach_, exec::Memory::host()).count();
   }
 
   [[nodiscard]] double positions() const {
@@ -54,10 +48,20 @@ class Counted {
   }
 
   [[nodiscard]] double neighbour_search() const {
-    const double beyond = axes_ * (exact + number_);             // tile, and position relative to it
-    const double wall = 48.0 + neighbours_ / 2.0 * 16.0 + 64.0;  // dummy and mirror; weights; a vector's room
-    return 8.0 * grid_.padded_count() + blocks() + copies_ * (32.0 + axes_ * exact + beyond) +
-           dummies_ * (wall + beyond);
+    const double beyond = axes_ * (exact + number_);  // tile, and position relative to it
+    // Source, image, cell and offset, twice while they are put in order; their numbers.
+    const double ghost = 2.0 * (4.0 + 1.0 + 4.0 + axes_ * exact) + 8.0 + 4.0;
+    const double cells = grid_.padded_count() * (walls_ > 0.0 ? 16.0 : 8.0);
+    const double listing = ghosts_ > 0.0 ? particles_ * 4.0 : 0.0;
+    return cells + blocks() + listing + ghosts_ * (ghost + beyond) + walls_ * (wall() + beyond);
+  }
+
+  /// The wall particle itself, its place and its mirror point's; blocks and weights of the particles around that, which
+  /// are about three quarters of what a particle has around it.
+  [[nodiscard]] double wall() const {
+    const double around = 0.75 * blocks_ / particles_;
+    return sizeof(WallSet::Member) + axes_ * 2.0 * exact + 12.0 +
+           around * (sizeof(NeighbourBlock) + block_width_ * exact);
   }
 
   [[nodiscard]] double blocks() const { return blocks_ * sizeof(NeighbourBlock); }
@@ -79,7 +83,7 @@ class Counted {
     for (const std::string& name : derived()) keep(setup_.catalogue.components(name), false);
     const double scratch = (number_ == exact || masters ? exact : 0.0) + (number_ == single ? single : 0.0);
     // Room is taken for a sixteenth more than there is.
-    return (particles_ + copies_ + dummies_) * numbers * 17.0 / 16.0 + particles_ * scratch;
+    return (particles_ + ghosts_ + walls_) * numbers * 17.0 / 16.0 + particles_ * scratch;
   }
 
   /// Of derivatives where nothing moves; see sph/fixed_weights.hpp.
@@ -150,9 +154,8 @@ class Counted {
   CellGrid grid_;
   int block_width_;
   double blocks_;
-  double neighbours_;
-  double copies_ = 0.0;
-  double dummies_ = 0.0;
+  double ghosts_ = 0.0;
+  double walls_ = 0.0;
 };
 
 }  // namespace

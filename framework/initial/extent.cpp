@@ -39,26 +39,27 @@ struct Carriers {
   std::vector<std::vector<double>> values;  // by component
 };
 
-Carriers with_dummies(const FieldDeclaration& field, const Components& components, const InitialState& state,
-                      const Boundary& boundary) {
+Carriers with_walls(const FieldDeclaration& field, const Components& components, const InitialState& state,
+                    const Boundary& boundary) {
   const Scene& scene = state.scene();
-  const std::size_t count = components.size();
   Carriers all;
   for (const auto& values : components) all.values.emplace_back(values.begin(), values.end());
   for (std::size_t i = 0; i < components[0].size(); ++i)
     all.points.push_back({state.position(0)[i], state.position(1)[i]});
-  Dummies dummies;
-  boundary.dummies(scene, scene.support, dummies);
-  if (dummies.position.empty()) return all;
-  std::vector<Extension> extension(count * dummies.position.size());
-  boundary.extend(scene, field.name, static_cast<int>(count), dummies, extension);
+  const std::vector<WallParticle> walls = boundary.wall_particles(scene, scene.support);
+  if (walls.empty()) return all;
+  const FieldKind kind{field.rank, FieldRole::state, scene.dimension};
   const PointCells<2> particles(scene, all.points, scene.spacing);
-  for (std::size_t n = 0; n < dummies.position.size(); ++n) {
-    const auto source = static_cast<std::size_t>(nearest(particles, point_of(dummies.mirror[n]), scene.spacing));
-    for (std::size_t c = 0; c < count; ++c)
-      all.values[c].push_back(extension[count * n + c].factor * components[c][source] +
-                              extension[count * n + c].summand);
-    all.points.push_back(point_of(dummies.position[n]));
+  for (const WallParticle& wall : walls) {
+    const auto source = static_cast<std::size_t>(nearest(particles, point_of(wall.mirror), scene.spacing));
+    const AffineRule rule = boundary.wall_rule(scene, kind, wall);
+    for (int r = 0; r < kind.components(); ++r) {
+      double value = rule.summand(r);
+      for (int c = 0; c < kind.components(); ++c)
+        value += rule.matrix(r, c) * components[static_cast<std::size_t>(c)][source];
+      all.values[static_cast<std::size_t>(r)].push_back(value);
+    }
+    all.points.push_back(point_of(wall.position));
   }
   return all;
 }
@@ -107,8 +108,7 @@ InitialExtent initial_extent(const FieldDeclaration& field, InitialState& state,
     extent.largest = std::max(extent.largest, length(value));
   }
   if (field.rank == Rank::order_tensor)
-    extent.laplacian =
-        largest_laplacian(with_dummies(field, components, state, boundary), count, state.scene(), kernel);
+    extent.laplacian = largest_laplacian(with_walls(field, components, state, boundary), count, state.scene(), kernel);
   return extent;
 }
 

@@ -1,5 +1,7 @@
 #include "mesogen/plugin/boundary.hpp"
 
+#include "mesogen/domain/periodic.hpp"
+
 namespace mesogen {
 
 Boundary::~Boundary() = default;
@@ -10,20 +12,29 @@ void Boundary::scales(Scales&) const {}
 
 void Boundary::prepare(const Scene&) {}
 
-bool Boundary::periodic(int) const { return true; }
+std::array<double, 3> Boundary::shear(const Scene&, const std::array<int, 3>&) const { return {}; }
 
-void Boundary::copies(const Scene&, const double* const*, Index, double, Copies& out) const {
-  out.source.clear();
-  out.offset.clear();
+void Boundary::keep_inside(const Scene& scene, double* position, std::int32_t* images) const {
+  for (int d = 0; d < scene.dimension; ++d) {
+    const double length = scene.box[static_cast<std::size_t>(d)];
+    if (periodic(d)) {
+      wrap_into_box(length, position[d], images[d]);
+    } else if (position[d] < 0.0 && position[d] > -length) {
+      position[d] = -position[d];
+    } else if (position[d] > length && position[d] < 2.0 * length) {
+      position[d] = 2.0 * length - position[d];
+    }
+  }
 }
 
-void Boundary::carry_over(const Scene&, std::string_view, int, const Copies&, std::vector<Extension>&) const {}
+std::vector<WallParticle> Boundary::wall_particles(const Scene&, double) const { return {}; }
 
-void Boundary::dummies(const Scene&, double, Dummies& out) const {
-  out.position.clear();
-  out.mirror.clear();
+AffineRule Boundary::ghost_rule(const Scene&, const FieldKind& field, const std::array<int, 3>&) const {
+  return AffineRule(field);
 }
 
-void Boundary::extend(const Scene&, std::string_view, int, const Dummies&, std::vector<Extension>&) const {}
+AffineRule Boundary::wall_rule(const Scene&, const FieldKind& field, const WallParticle&) const {
+  return AffineRule(field);
+}
 
 }  // namespace mesogen

@@ -18,60 +18,45 @@ auto told(const std::string& plugin, const char* call, ExitCode code, Action&& a
 
 [[noreturn]] void refuse(const std::string& what) { throw Error(ExitCode::plugin_refused, what); }
 
-std::string point(const std::array<double, 3>& at, const std::string& unit) {
-  return fmt::format("({:g}, {:g}, {:g}) {}", at[0], at[1], at[2], unit);
-}
+std::string text(const std::array<double, 3>& at) { return fmt::format("({:g}, {:g}, {:g})", at[0], at[1], at[2]); }
 
 bool is_finite(const std::array<double, 3>& at) {
   return std::ranges::all_of(at, [](double x) { return std::isfinite(x); });
 }
 
-void check(const Copies& copies, Index count, const std::string& unit) {
-  if (copies.source.size() != copies.offset.size())
-    refuse(fmt::format("gives {} sources, but {} offsets: each copy needs one of both", copies.source.size(),
-                       copies.offset.size()));
-  for (std::size_t n = 0; n < copies.source.size(); ++n) {
-    if (copies.source[n] < 0 || copies.source[n] >= count)
-      refuse(fmt::format("copy {} is of particle {}, which there is not", n, copies.source[n]));
-    if (!is_finite(copies.offset[n]))
-      refuse(fmt::format("the offset of copy {} is {}", n, point(copies.offset[n], unit)));
+void check(const AffineRule& rule, const FieldKind& field) {
+  const int components = field.components();
+  if (rule.components() != components)
+    refuse(fmt::format("the rule for a {} has {} components instead of {}: make it with AffineRule(field)",
+                       to_string(field.rank), rule.components(), components));
+  for (int r = 0; r < components; ++r) {
+    bool finite = std::isfinite(rule.summand(r));
+    for (int c = 0; c < components; ++c) finite = finite && std::isfinite(rule.matrix(r, c));
+    if (!finite) refuse(fmt::format("component {} of the rule for a {} is not finite", r, to_string(field.rank)));
   }
-}
-
-/// Inside, faces included, along the axes that the scene has.
-bool is_inside(const Scene& scene, const std::array<double, 3>& at) {
-  for (unsigned d = 0; d < static_cast<unsigned>(scene.dimension); ++d)
-    if (!(at[d] >= 0.0 && at[d] <= scene.box[d])) return false;
-  return true;
-}
-
-void check(const Scene& scene, const Dummies& dummies, const std::string& unit) {
-  if (dummies.position.size() != dummies.mirror.size())
-    refuse(fmt::format("gives {} dummies, but {} mirror points: each dummy needs one", dummies.position.size(),
-                       dummies.mirror.size()));
-  for (std::size_t n = 0; n < dummies.position.size(); ++n) {
-    if (!is_finite(dummies.position[n])) refuse(fmt::format("dummy {} is at {}", n, point(dummies.position[n], unit)));
-    if (is_inside(scene, dummies.position[n]))
-      refuse(fmt::format("dummy {} at {} lies inside the box: dummies belong beyond a face that does not wrap", n,
-                         point(dummies.position[n], unit)));
-    if (!is_inside(scene, dummies.mirror[n]))
-      refuse(
-          fmt::format("the mirror point of dummy {}, {}, lies outside the box: there are no particles to take values "
-                      "from",
-                      n, point(dummies.mirror[n], unit)));
-  }
-}
-
-void check(std::string_view field, const std::vector<Extension>& extension, std::size_t expected) {
-  if (extension.size() != expected)
-    refuse(fmt::format("leaves {} rules for '{}' where there were {}: change them in place", extension.size(), field,
-                       expected));
-  for (const Extension& rule : extension)
-    if (!std::isfinite(rule.factor) || !std::isfinite(rule.summand))
-      refuse(fmt::format("a rule for '{}' is not finite: {} f + {}", field, rule.factor, rule.summand));
 }
 
 }  // namespace
+
+void NamedBoundary::check(const Scene& scene, const WallParticle& particle, std::size_t number) const {
+  if (!is_finite(particle.position))
+    refuse(fmt::format("wall particle {} is at {} {}", number, text(particle.position), length_unit_));
+  for (unsigned d = 0; d < static_cast<unsigned>(scene.dimension); ++d) {
+    // Written so that what is not a number is refused.
+    if (!(particle.mirror[d] >= 0.0 && particle.mirror[d] <= scene.box[d]))
+      refuse(fmt::format(
+          "the mirror point of wall particle {}, {} {}, lies outside the box: there is no fluid to take values from",
+          number, text(particle.mirror), length_unit_));
+    if (plugin_->periodic(static_cast<int>(d)) && !(particle.position[d] >= 0.0 && particle.position[d] < scene.box[d]))
+      refuse(
+          fmt::format("wall particle {} at {} {} lies outside the box along {}, where the box is periodic: give the "
+                      "one inside, its images are made from it",
+                      number, text(particle.position), length_unit_, "xyz"[d]));
+  }
+  const auto& n = particle.normal;
+  if (!(std::abs(std::hypot(n[0], n[1], n[2]) - 1.0) < 1e-6))
+    refuse(fmt::format("the normal of wall particle {}, {}, is no unit vector", number, text(n)));
+}
 
 void NamedBoundary::scales(Scales& scales) const {
   told(name_, "scales()", ExitCode::plugin_refused, [&] { plugin_->scales(scales); });
@@ -82,40 +67,42 @@ void NamedBoundary::prepare(const Scene& scene) {
 void NamedBoundary::parameters(ParameterList& list) {
   told(name_, "parameters()", ExitCode::plugin_refused, [&] { plugin_->parameters(list); });
 }
-bool NamedBoundary::periodic(int axis) const {
-  return told(name_, "periodic()", ExitCode::plugin_refused, [&] { return plugin_->periodic(axis); });
+Continuation NamedBoundary::continuation(int axis) const {
+  return told(name_, "continuation()", ExitCode::plugin_refused, [&] { return plugin_->continuation(axis); });
 }
-bool NamedBoundary::wraps(int axis) const {
-  return told(name_, "wraps()", ExitCode::plugin_refused, [&] { return plugin_->wraps(axis); });
+std::array<double, 3> NamedBoundary::shear(const Scene& scene, const std::array<int, 3>& boxes) const {
+  return told(name_, "shear()", ExitCode::plugin_refused, [&] {
+    const std::array<double, 3> by = plugin_->shear(scene, boxes);
+    if (!is_finite(by)) refuse(fmt::format("moves an image of the box by {} {}", text(by), length_unit_));
+    for (unsigned d = 0; d < 3; ++d)
+      if (by[d] != 0.0 && (static_cast<int>(d) >= scene.dimension || !plugin_->periodic(static_cast<int>(d))))
+        refuse(fmt::format("moves an image of the box along {}, where the box is not periodic", "xyz"[d]));
+    return by;
+  });
 }
 void NamedBoundary::keep_inside(const Scene& scene, double* position, std::int32_t* images) const {
   told(name_, "keep_inside()", ExitCode::run_failed, [&] { plugin_->keep_inside(scene, position, images); });
 }
-void NamedBoundary::copies(const Scene& scene, const double* const* position, Index count, double reach,
-                           Copies& out) const {
-  told(name_, "copies()", ExitCode::run_failed, [&] {
-    plugin_->copies(scene, position, count, reach, out);
-    check(out, count, length_unit_);
+std::vector<WallParticle> NamedBoundary::wall_particles(const Scene& scene, double reach) const {
+  return told(name_, "wall_particles()", ExitCode::plugin_refused, [&] {
+    std::vector<WallParticle> all = plugin_->wall_particles(scene, reach);
+    for (std::size_t n = 0; n < all.size(); ++n) check(scene, all[n], n);
+    return all;
   });
 }
-void NamedBoundary::carry_over(const Scene& scene, std::string_view field, int components, const Copies& copies,
-                               std::vector<Extension>& extension) const {
-  told(name_, "carry_over()", ExitCode::run_failed, [&] {
-    plugin_->carry_over(scene, field, components, copies, extension);
-    check(field, extension, copies.source.size() * static_cast<std::size_t>(components));
+AffineRule NamedBoundary::ghost_rule(const Scene& scene, const FieldKind& field,
+                                     const std::array<int, 3>& boxes) const {
+  return told(name_, "ghost_rule()", ExitCode::run_failed, [&] {
+    const AffineRule rule = plugin_->ghost_rule(scene, field, boxes);
+    mesogen::check(rule, field);
+    return rule;
   });
 }
-void NamedBoundary::dummies(const Scene& scene, double reach, Dummies& out) const {
-  told(name_, "dummies()", ExitCode::plugin_refused, [&] {
-    plugin_->dummies(scene, reach, out);
-    check(scene, out, length_unit_);
-  });
-}
-void NamedBoundary::extend(const Scene& scene, std::string_view field, int components, const Dummies& dummies,
-                           std::vector<Extension>& extension) const {
-  told(name_, "extend()", ExitCode::run_failed, [&] {
-    plugin_->extend(scene, field, components, dummies, extension);
-    check(field, extension, dummies.position.size() * static_cast<std::size_t>(components));
+AffineRule NamedBoundary::wall_rule(const Scene& scene, const FieldKind& field, const WallParticle& at) const {
+  return told(name_, "wall_rule()", ExitCode::run_failed, [&] {
+    const AffineRule rule = plugin_->wall_rule(scene, field, at);
+    mesogen::check(rule, field);
+    return rule;
   });
 }
 

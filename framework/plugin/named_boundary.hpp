@@ -9,8 +9,8 @@ namespace mesogen {
 
 /// A boundary plugin that says its name: whatever one of its functions throws comes out as an Error that names the
 /// plugin and the function; likewise a crash. `run_failed` where it is called while a case runs, `plugin_refused`
-/// before. What it gives is checked here: copies of particles that there are, dummies beyond the faces, numbers that
-/// are finite.
+/// before. What the plugin gives is checked here: wall particles where somebody can see them, unit normals, rules of as
+/// many components as the field has, finite numbers.
 class NamedBoundary final : public Boundary {
  public:
   /// `length_unit`: of what its functions are given, for messages.
@@ -20,17 +20,17 @@ class NamedBoundary final : public Boundary {
   void parameters(ParameterList& list) override;
   void scales(Scales& scales) const override;
   void prepare(const Scene& scene) override;
-  [[nodiscard]] bool periodic(int axis) const override;
-  [[nodiscard]] bool wraps(int axis) const override;
+  [[nodiscard]] Continuation continuation(int axis) const override;
+  [[nodiscard]] std::array<double, 3> shear(const Scene& scene, const std::array<int, 3>& boxes) const override;
   void keep_inside(const Scene& scene, double* position, std::int32_t* images) const override;
-  void copies(const Scene& scene, const double* const* position, Index count, double reach, Copies& out) const override;
-  void carry_over(const Scene& scene, std::string_view field, int components, const Copies& copies,
-                  std::vector<Extension>& extension) const override;
-  void dummies(const Scene& scene, double reach, Dummies& out) const override;
-  void extend(const Scene& scene, std::string_view field, int components, const Dummies& dummies,
-              std::vector<Extension>& extension) const override;
+  [[nodiscard]] std::vector<WallParticle> wall_particles(const Scene& scene, double reach) const override;
+  [[nodiscard]] AffineRule ghost_rule(const Scene& scene, const FieldKind& field,
+                                      const std::array<int, 3>& boxes) const override;
+  [[nodiscard]] AffineRule wall_rule(const Scene& scene, const FieldKind& field, const WallParticle& at) const override;
 
  private:
+  void check(const Scene& scene, const WallParticle& particle, std::size_t number) const;
+
   std::string name_;
   PluginPointer<Boundary> plugin_;
   std::string length_unit_;

@@ -71,6 +71,15 @@ std::optional<Rank> Catalogue::rank(std::string_view field) const {
   return {};
 }
 
+std::optional<FieldKind> Catalogue::kind(std::string_view field, std::string_view velocity) const {
+  const std::optional<Rank> of = rank(field);
+  if (!of) return {};
+  const FieldRole role = field == velocity      ? FieldRole::velocity
+                         : outlasts_step(field) ? FieldRole::state
+                                                : FieldRole::derived;
+  return FieldKind{*of, role, dimension_};
+}
+
 bool Catalogue::exists(std::string_view field) const { return components(field) > 0; }
 
 std::string Catalogue::unit(std::string_view field) const {

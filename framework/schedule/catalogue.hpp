@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "mesogen/export.hpp"
+#include "mesogen/field/kind.hpp"
 #include "mesogen/plugin/passes.hpp"
 
 namespace mesogen {
@@ -34,6 +35,8 @@ class MESOGEN_EXPORT Catalogue {
   [[nodiscard]] int components(std::string_view field) const;
   /// What the components of an existing field mean; nothing for the gradient of a tensor.
   [[nodiscard]] std::optional<Rank> rank(std::string_view field) const;
+  /// What it is for a boundary; `velocity`: the name of the fluid's velocity. Nothing where there is no rank.
+  [[nodiscard]] std::optional<FieldKind> kind(std::string_view field, std::string_view velocity) const;
   /// Unit of an existing field: "1/m2 x unit of its source" for derived ones.
   [[nodiscard]] std::string unit(std::string_view field) const;
   /// A state keeps its value from step to step: advanced in time or set once.

@@ -37,14 +37,14 @@ DerivedFields::DerivedFields(World& world, const Catalogue& catalogue, const std
   for (const auto& reader : for_readers) all.insert(reader.begin(), reader.end());
   if (all.empty()) return;
 
-  world_.add_field("volume", 1, false);
+  world_.add_field("volume", 1, false).kind = catalogue.kind("volume", "");
   PairPass volume;
   volume.volume = true;
   volume.counter.title = "framework: volume";
   passes_.push_back(std::move(volume));
   pass_of_["volume"] = {0};
   for (const std::string& field : all)
-    if (field != "volume") world_.add_field(field, catalogue.components(field), false);
+    if (field != "volume") world_.add_field(field, catalogue.components(field), false).kind = catalogue.kind(field, "");
 
   const auto note = [](Wanted& wanted, const std::string& field) {
     const DerivedName derived = derived_name(field);
@@ -127,8 +127,8 @@ void DerivedFields::make(const std::string& field) {
 
 void DerivedFields::run(PairPass& pass) {
   if (!pass.volume) make("volume");
-  if (!pass.volume) world_.refresh_outside(world_.fields.at("volume"));
-  for (const Component& component : pass.components) world_.refresh_outside(*component.source);
+  if (!pass.volume) world_.refresh_boundary(world_.fields.at("volume"));
+  for (const Component& component : pass.components) world_.refresh_boundary(*component.source);
   const Span span(pass.counter, world_.trace);
   if (world_.single()) {
     run_pair_sums<float, 2>(pass);

@@ -141,7 +141,7 @@ void Executor::run(Work& work) {
     if (world_.fields.find(field) != nullptr) prepare(field, purpose);
   for (const std::string& field : work.pass.neighbour_reads) {
     prepare(field, purpose);
-    world_.refresh_outside(world_.fields.at(field));
+    world_.refresh_boundary(world_.fields.at(field));
   }
   if (!work.on_device) world_.backend.finish();
   const Span span(work.counter, world_.trace);

@@ -11,11 +11,11 @@ World::World(Scene scene_of_run, sph::SmoothingKernel kernel_of_run, const Bound
       particles(std::move(all)),
       neighbourhood(scene, boundary, backend),
       scratch_(backend.memory()),
-      copy_rules_(backend.memory()) {}
+      boundary_values_(scene, boundary, backend, neighbourhood, kernel) {}
 
 Field& World::add_field(const std::string& name, int components, bool integrated) {
   Field& field = fields.add(std::make_unique<Field>(name, components, scene.precision, integrated, backend));
-  field.resize(particles.count(), neighbourhood.outside_count());
+  field.resize(particles.count(), neighbourhood.boundary_count());
   return field;
 }
 
@@ -25,12 +25,12 @@ Field& World::add_copy_in_double(const Field& of) {
 
 Field& World::add_in_double(const std::string& name, int components) {
   Field& field = fields.add(std::make_unique<Field>(name, components, Precision::double_precision, true, backend));
-  field.resize(particles.count(), neighbourhood.outside_count());
+  field.resize(particles.count(), neighbourhood.boundary_count());
   return field;
 }
 
 void World::resize_fields() {
-  for (const auto& [name, field] : fields.all()) field->resize(particles.count(), neighbourhood.outside_count());
+  for (const auto& [name, field] : fields.all()) field->resize(particles.count(), neighbourhood.boundary_count());
 }
 
 void World::settle() {
@@ -110,31 +110,10 @@ void World::restore_order(const std::array<std::vector<double>, 3>& sorted_posit
   for (const auto& [name, field] : fields.all()) field->refreshed = 0;
 }
 
-template <class Real>
-void World::carry_over(Field& field) {
-  const auto& source = neighbourhood.copy_source();
-  backend.loops<Real>().carry_over(field.view<Real>(), field.components(), particles.count(), source.data(),
-                                   static_cast<Index>(source.size()),
-                                   copy_rules_.of(field, scene, boundary, neighbourhood));
-}
-
-void World::refresh_outside(Field& field) {
-  if (neighbourhood.outside_count() == 0) return;
-  const bool walls = !neighbourhood.dummies().position.empty();
-  // Where particles moved, other ones stand before the wall; a copy's values are its source's wherever that is.
-  const std::uint64_t positions = walls ? neighbourhood.version() : 0;
-  if (field.refreshed == field.version && field.refreshed_at == positions) return;
+void World::refresh_boundary(Field& field) {
+  if (boundary_values_.up_to_date(field)) return;
   const Span span(refreshing_, trace);
-  if (walls) {
-    backend.finish();
-    walls_.refresh(neighbourhood, scene, kernel, boundary, field);
-  } else if (single()) {
-    carry_over<float>(field);
-  } else {
-    carry_over<double>(field);
-  }
-  field.refreshed = field.version;
-  field.refreshed_at = positions;
+  boundary_values_.refresh(field);
   end_of_work();
 }
 

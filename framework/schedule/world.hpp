@@ -7,12 +7,11 @@
 
 #include "case/units.hpp"
 #include "diagnostics/trace.hpp"
-#include "domain/copy_rules.hpp"
 #include "domain/neighbourhood.hpp"
 #include "domain/particles.hpp"
-#include "domain/wall_values.hpp"
 #include "exec/backend.hpp"
 #include "field/field.hpp"
+#include "ghosts/boundary_values.hpp"
 #include "mesogen/export.hpp"
 #include "mesogen/plugin/boundary.hpp"
 #include "mesogen/plugin/scene.hpp"
@@ -75,8 +74,8 @@ class MESOGEN_EXPORT World {
   void sort_anew();
   /// Sorts as a checkpoint says; see Neighbourhood::restore.
   void restore_order(const std::array<std::vector<double>, 3>& sorted_position);
-  /// Brings what a field is beyond the faces up to date, at copies or dummies, if it is not.
-  void refresh_outside(Field& field);
+  /// Brings a field up to date at ghosts and walls, if it is not.
+  void refresh_boundary(Field& field);
   /// To be called where a piece of work ends whose time is counted: a device does it later, unless it is waited for.
   void end_of_work() const {
     if (times_each) backend.finish();
@@ -88,8 +87,6 @@ class MESOGEN_EXPORT World {
   void resize_fields();
   void permute_fields(const exec::Array<Index>& order);
   void keep_order();
-  template <class Real>
-  void carry_over(Field& field);
   /// The order of storage that the integration had before a reader's sorting.
   struct Order {
     Particles particles;
@@ -100,8 +97,7 @@ class MESOGEN_EXPORT World {
   std::uint64_t positions_version_ = 1;
   std::optional<Order> kept_order_;
   Field::Scratch scratch_;
-  WallValues walls_;
-  CopyRules copy_rules_;
+  BoundaryValues boundary_values_;
   Counter sorting_{"framework: neighbours, sorting"};
   Counter refreshing_{"framework: values beyond the faces"};
 };

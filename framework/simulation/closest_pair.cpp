@@ -7,14 +7,14 @@ namespace mesogen {
 
 namespace {
 
-/// Calls visit(j, squared distance) for every j < `stored` in the cells around particle i of a cell.
+/// Calls visit(j, squared distance) for every j in the cells around particle i of a cell.
 template <class Real, class Visit>
-void visit_around(const Neighbours<Real, 2>& grid, const Segment<Real, 2>* segments, int count, Index i, Index stored,
+void visit_around(const Neighbours<Real, 2>& grid, const Segment<Real, 2>* segments, int count, Index i,
                   const Visit& visit) {
   for (int s = 0; s < count; ++s) {
     const Real x = grid.local[0][i] - segments[s].offset[0];
     const Real y = grid.local[1][i] - segments[s].offset[1];
-    for (Index j = segments[s].begin; j < segments[s].end && j < stored; ++j) {
+    for (Index j = segments[s].begin; j < segments[s].end; ++j) {
       const Real dx = x - grid.local[0][j];
       const Real dy = y - grid.local[1][j];
       if (j != i) visit(j, dx * dx + dy * dy);
@@ -26,6 +26,8 @@ template <class Real>
 std::optional<ClosestPair> closest_pair_of(const World& world, double within) {
   Neighbours<Real, 2> grid{};
   world.neighbourhood.fill(grid);
+  // A wall is for nobody to pair with.
+  grid.wall_begin = grid.wall_end = nullptr;
   // The grid is made for the support; only the next cells matter here. Until they are sorted anew two particles stand
   // up to half a skin outside their cells, each.
   for (int d = 0; d < 2; ++d)
@@ -40,17 +42,14 @@ std::optional<ClosestPair> closest_pair_of(const World& world, double within) {
     const int count = grid.segments(at, segments);
     for (Index i = grid.cell_begin[index]; i < grid.cell_end[index]; ++i) action(i, segments, count);
   };
-  // Particles and their copies; a wall is for nobody to pair with.
-  const auto& source = world.neighbourhood.copies().source;
-  const Index particles = world.particles.count();
-  const Index stored = particles + static_cast<Index>(source.size());
+  const GhostView ghosts = world.neighbourhood.ghost_view();
   const int cells = grid.cell_count();
   Real closest = Real(within * within);
   const Real limit = closest;
 #pragma omp parallel for schedule(static) reduction(min : closest)
   for (int cell = 0; cell < cells; ++cell)
     in_cell(cell, [&](Index i, const Segment<Real, 2>* segments, int count) {
-      visit_around(grid, segments, count, i, stored, [&](Index, Real square) { closest = std::min(closest, square); });
+      visit_around(grid, segments, count, i, [&](Index, Real square) { closest = std::min(closest, square); });
     });
   if (!(closest < limit)) return std::nullopt;
 
@@ -59,10 +58,10 @@ std::optional<ClosestPair> closest_pair_of(const World& world, double within) {
   Real least = limit;
   for (int cell = 0; cell < cells; ++cell)
     in_cell(cell, [&](Index i, const Segment<Real, 2>* segments, int count) {
-      visit_around(grid, segments, count, i, stored, [&](Index j, Real square) {
+      visit_around(grid, segments, count, i, [&](Index j, Real square) {
         if (!(square < least)) return;
         least = square;
-        pair = {i, j < particles ? j : source[j - particles], std::sqrt(static_cast<double>(square))};
+        pair = {i, j < ghosts.first ? j : ghosts.source[j - ghosts.first], std::sqrt(static_cast<double>(square))};
       });
     });
   // The compiler may round the two loops differently.

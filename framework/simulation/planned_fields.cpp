@@ -18,11 +18,14 @@ std::vector<PlannedField> planned_fields(const Setup& setup) {
   // Where all who add to a field are idle it stays zero.
   for (const auto& observer : setup.observers) use(observer.fields);
   use(setup.output_fields);
+  // A flow that the case gives, and no plugin makes, is one too.
+  const std::string& flow = setup.graph->transport().velocity;
+  const std::string velocity = flow.empty() && setup.source.velocity.given ? "velocity" : flow;
   std::vector<PlannedField> planned;
   for (const auto& [name, entry] : setup.catalogue.all()) {
     const bool integrated = has_rate(entry.declaration.advance);
     if (integrated || setup.catalogue.outlasts_step(name) || used.contains(name))
-      planned.push_back({name, setup.catalogue.components(name), integrated});
+      planned.push_back({name, setup.catalogue.components(name), integrated, setup.catalogue.kind(name, velocity)});
   }
   return planned;
 }

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "mesogen/export.hpp"
+#include "mesogen/field/kind.hpp"
 #include "simulation/setup.hpp"
 
 namespace mesogen {
@@ -12,7 +14,8 @@ namespace mesogen {
 struct PlannedField {
   std::string name;
   int components = 1;
-  bool integrated = false;  ///< with a master copy in double
+  bool integrated = false;        ///< with a master copy in double
+  std::optional<FieldKind> kind;  ///< for the boundary
 };
 
 /// The fields that the plugins of a case need in memory: those that something keeps, reads or writes. What only pruned

@@ -72,7 +72,7 @@ Stepper::Stepper(Setup& setup)
 
 void Stepper::add_fields() {
   for (const PlannedField& field : planned_fields(setup_))
-    world_.add_field(field.name, field.components, field.integrated);
+    world_.add_field(field.name, field.components, field.integrated).kind = field.kind;
 }
 
 void Stepper::set_initial_fields() {

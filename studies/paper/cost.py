@@ -40,7 +40,7 @@ def write(section):
                   decided(shares[GHOSTS] + shares[SORTING] >= max(share for name, share in shares.items()
                                                                   if name not in (GHOSTS, SORTING))),
                   f"{shares[GHOSTS]:.2g} % for values beyond the faces, {shares[SORTING]:.2g} % for neighbours",
-                  "Copies are made in parallel, and kept with the lists of neighbours until a particle has moved half the skin.")
+                  "Ghosts are made in parallel, and kept with the lists of neighbours until a particle has moved half the skin.")
     _draw(section, one, two)
     for name, times, text in (("two cores", two, "Particles in parallel outrun a serial solver on a grid where resolution is high."),
                               ("one core", one, "Particles outrun a grid at equal resolution, one core against one.")):

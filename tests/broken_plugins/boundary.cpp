@@ -12,57 +12,62 @@ using namespace mesogen;
 
 class Misbehaving final : public Boundary {
  public:
-  [[nodiscard]] bool wraps(int axis) const override { return axis == 0; }
+  [[nodiscard]] Continuation continuation(int axis) const override {
+    return axis == 0 ? Continuation::ghosts : Continuation::none;
+  }
 
-  void keep_inside(const Scene&, double*, std::int32_t*) const override {
 #ifdef KEEP_INSIDE
+  void keep_inside(const Scene&, double*, std::int32_t*) const override {
     throw std::runtime_error("nobody expects this");
+  }
+#endif
+  [[nodiscard]] std::array<double, 3> shear(const Scene&, const std::array<int, 3>&) const override {
+#ifdef SHEAR_NOT_FINITE
+    return {std::numeric_limits<double>::infinity(), 0.0, 0.0};
+#elif defined(SHEAR_ACROSS)
+    return {0.0, 0.5, 0.0};
+#else
+    return {};
 #endif
   }
-  void copies(const Scene&, const double* const*, Index, double, Copies& out) const override {
-#ifdef COPIES
+  [[nodiscard]] std::vector<WallParticle> wall_particles(const Scene& scene, double) const override {
+#ifdef WALL_PARTICLES
     throw 42;
 #endif
-    out = {};
-#if defined(BOTH) || defined(NO_OFFSET) || defined(NO_SOURCE)
-    out.source.push_back(0);
-    out.offset.push_back({0.0, 1.0, 0.0});
-#endif
-#ifdef NO_OFFSET
-    out.offset.clear();
-#endif
-#ifdef NO_SOURCE
-    out.source[0] = -1;
-#endif
-  }
-  void dummies(const Scene& scene, double, Dummies& out) const override {
-    out.position.push_back({0.25, -0.01, 0.0});
-    out.mirror.push_back({0.25, 0.01, 0.0});
-#ifdef DUMMY_INSIDE
-    out.position[0][1] = 0.125 * scene.box[1];
+    WallParticle wall{.position = {0.25, -0.01, 0.0}, .mirror = {0.25, 0.01, 0.0}, .normal = {0.0, 1.0, 0.0}};
+#ifdef WALL_ASTRAY
+    wall.position[0] = 2.0 * scene.box[0];
 #endif
 #ifdef MIRROR_ASTRAY
-    out.mirror[0][1] = 1e300;
+    wall.mirror[1] = 1e300;
 #endif
-#ifdef DUMMY_NOWHERE
-    out.position[0][0] = std::numeric_limits<double>::quiet_NaN();
+#ifdef WALL_NOWHERE
+    wall.position[0] = std::numeric_limits<double>::quiet_NaN();
 #endif
-#ifdef NO_MIRROR
-    out.mirror.clear();
+#ifdef LONG_NORMAL
+    wall.normal[1] = 2.0;
 #endif
     (void)scene;
+    return {wall};
   }
-  void extend(const Scene&, std::string_view, int, const Dummies&, std::vector<Extension>& rules) const override {
-#ifdef RULES_LOST
-    rules.clear();
+  [[nodiscard]] AffineRule ghost_rule(const Scene&, const FieldKind& field, const std::array<int, 3>&) const override {
+#ifdef GHOST_RULE
+    throw std::out_of_range("no such image");
 #endif
-#ifdef RULE_NOT_FINITE
-    rules[0].factor = std::numeric_limits<double>::infinity();
-#endif
-    (void)rules;
-#ifdef EXTEND
+    return AffineRule(field);
+  }
+  [[nodiscard]] AffineRule wall_rule(const Scene&, const FieldKind& field, const WallParticle&) const override {
+#ifdef WALL_RULE
     throw std::out_of_range("no such field");
 #endif
+    AffineRule rule(field);
+#ifdef RULE_OF_ANOTHER
+    rule = AffineRule(FieldKind{Rank::matrix, field.role, 3});
+#endif
+#ifdef RULE_NOT_FINITE
+    rule.matrix(0, 0) = std::numeric_limits<double>::infinity();
+#endif
+    return rule;
   }
 };
 

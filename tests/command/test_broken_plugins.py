@@ -119,23 +119,26 @@ class Misbehaving(CommandTest):
         expected = {
             # Nobody has left the box yet: it is asked by the observers, who see particles inside.
             "keep_inside": (1, 'observers.flow (plugin "flow_statistics"), sample() at step 0, t = 0 s: plugin "keep_inside", keep_inside() failed: nobody expects this'),
-            "copies": (1, 'plugin "copies", copies() failed: it threw something that is no std::exception'),
+            "shear_not_finite": (3, 'plugin "shear_not_finite", shear(): moves an image of the box by (inf, 0, 0) m'),
+            "shear_across": (3, 'plugin "shear_across", shear(): moves an image of the box along y, where the box is not '
+                                "periodic"),
+            "wall_particles": (3, 'plugin "wall_particles", wall_particles() failed: it threw something that is no '
+                                  "std::exception"),
+            "wall_astray": (3, 'plugin "wall_astray", wall_particles(): wall particle 0 at (3.2, -0.01, 0) m lies outside '
+                               "the box along x, where the box is periodic: give the one inside, its images are made "
+                               "from it"),
+            "wall_nowhere": (3, 'plugin "wall_nowhere", wall_particles(): wall particle 0 is at (nan, -0.01, 0) m'),
+            "mirror_astray": (3, 'plugin "mirror_astray", wall_particles(): the mirror point of wall particle 0, (0.25, '
+                                 "1e+300, 0) m, lies outside the box: there is no fluid to take values from"),
+            "long_normal": (3, 'plugin "long_normal", wall_particles(): the normal of wall particle 0, (0, 2, 0), is no '
+                               "unit vector"),
+            "ghost_rule": (1, 'plugin "ghost_rule", ghost_rule() failed: no such image'),
             # Found while the case is put together, when the distortion of the director at the walls is looked for.
-            "extend": (2, 'plugin "extend", extend() failed: no such field'),
-            "dummy_inside": (3, 'plugin "dummy_inside", dummies(): dummy 0 at (0.25, 0.2, 0) m lies inside the box: '
-                                "dummies belong beyond a face that does not wrap"),
-            "no_mirror": (3, 'plugin "no_mirror", dummies(): gives 1 dummies, but 0 mirror points: each dummy needs one'),
-            "mirror_astray": (3, 'plugin "mirror_astray", dummies(): the mirror point of dummy 0, (0.25, 1e+300, 0) m, '
-                                 "lies outside the box: there are no particles to take values from"),
-            "dummy_nowhere": (3, 'plugin "dummy_nowhere", dummies(): dummy 0 is at (nan, -0.01, 0) m'),
-            "no_offset": (3, 'plugin "no_offset", copies(): gives 1 sources, but 0 offsets: each copy needs one of both'),
-            "no_source": (3, 'plugin "no_source", copies(): copy 0 is of particle -1, which there is not'),
-            "rules_lost": (3, 'plugin "rules_lost", extend(): leaves 0 rules for \'order_tensor\' where there were 2: change '
-                              "them in place"),
-            "rule_not_finite": (3, 'plugin "rule_not_finite", extend(): a rule for \'order_tensor\' is not finite: inf f + '
-                                   "0"),
-            "both": (3, "the boundary gives copies and dummies: it can have one or the other; an axis that wraps needs "
-                        "neither"),
+            "wall_rule": (2, 'plugin "wall_rule", wall_rule() failed: no such field'),
+            "rule_of_another": (3, 'plugin "rule_of_another", wall_rule(): the rule for a order tensor has 9 components '
+                                   "instead of 2: make it with AffineRule(field)"),
+            "rule_not_finite": (3, 'plugin "rule_not_finite", wall_rule(): component 0 of the rule for a order tensor is '
+                                   "not finite"),
         }
         for name, (code, text) in expected.items():
             with self.subTest(name):

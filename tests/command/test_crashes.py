@@ -105,8 +105,8 @@ class InARun(CrashTest):
         self.assert_told(self.crashes("keep_inside()", "run", case, "--output", "out"),
                          rf'observers\.flow \(plugin "flow_statistics"\), sample\(\) {MOMENT}: plugin "crashing", '
                          r"keep_inside\(\)")
-        self.assert_told(self.crashes("copies()", "run", case, "--output", "copies"),
-                         r'plugin "crashing", copies\(\)')
+        self.assert_told(self.crashes("ghost_rule()", "run", case, "--output", "rule"),
+                         r'plugin "crashing", ghost_rule\(\)')
 
     def test_resume_replay_and_rehearsal(self):
         case = self.write_case(WITH_OBSERVER)
@@ -131,7 +131,7 @@ class BeforeARun(CrashTest):
         kernel = self.write_case(CASE.replace("quintic", "crashing"))
         self.assert_told(self.crashes("shape()", "check", kernel, "--quick"), r'plugin "crashing", shape\(\)')
         boundary = self.write_case(CASE.replace("periodic_ghosts", "crashing"))
-        self.assert_told(self.crashes("wraps()", "run", boundary), r'plugin "crashing", wraps\(\)')
+        self.assert_told(self.crashes("continuation()", "run", boundary), r'plugin "crashing", continuation\(\)')
 
     def test_what_tells_of_plugins(self):
         self.assert_told(self.crashes("loading", "plugin", "list"), r'plugin "\S*/crashing_physics\.so", loading')

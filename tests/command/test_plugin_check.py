@@ -65,14 +65,12 @@ class PluginCheck(CommandTest):
                                ("restless", "a particle inside the box must stay where it is")):
             self.assertRegex(self.check("boundary", fault)[kept], problem)
         faces = "sums over neighbours see no face on a lattice"
-        missing = "neighbours beyond the faces are missing or are there twice"
-        self.assert_fails("boundary", "corners", faces, missing)
+        missing = "neighbours in walls or beyond the faces are missing or are there twice"
+        self.assert_fails("boundary", "missing", faces, missing)
         self.assert_fails("boundary", "twice", faces, missing)
-        self.assertRegex(self.check("boundary", "inside")["what lies beyond the faces lies beyond the faces"],
-                         r"a copy of particle \d+ lies inside the box, at \(")
-        self.assert_fails("boundary", "carry_over", faces, "carry_over or extend gives something else beyond the faces")
-        self.assert_fails("boundary", "threads", "the same input gives the same bits, again and with 3 threads",
-                          r"\(with 3 threads\): let the order of the copies not depend on threads")
+        self.assert_fails("boundary", "rule", faces, "ghost_rule or wall_rule gives something else")
+        self.assert_fails("boundary", "again", "the same input gives the same bits, again and with 3 threads",
+                          "something is left over from another run, or not set before it is read")
 
     def test_physics(self):
         touch = "passes touch only what they declared, and make finite numbers"

@@ -101,9 +101,9 @@ class Units(CommandTest):
                 (text, ["particles.spacing=0.0007"], r"particles fit, with a spacing of \S+ um"),
                 (text, ["observers.flow.interval=1e-14"], r"take at least \S+ ms"),
                 (text, ["output.interval=1e-13"], r"an interval of \S+ ms or more fits"),
-                (text.replace('"walls", anchoring = "planar"', '"dummy_nowhere"'), [], r"dummy 0 is at \(nan, -0.01, 0\) um")):
+                (text.replace('"walls", anchoring = "planar"', '"wall_nowhere"'), [], r"wall particle 0 is at \(nan, -0.01, 0\) um")):
             arguments = [word for setting in settings for word in ("--set", setting)]
-            code = 3 if "dummy_nowhere" in wrong else 2
+            code = 3 if "wall_nowhere" in wrong else 2
             _, err = self.mesogen("check", self.write_case(wrong), "--quick", *arguments, "--plugin-path",
                                   os.path.join(BROKEN_PLUGINS, "boundaries"), code=code)
             self.assertRegex(err, expected)

@@ -64,10 +64,7 @@ class Array {
 
 class Wrapped final : public Boundary {
  public:
-  bool wraps(int) const override { return true; }
-  void keep_inside(const Scene& scene, double* position, std::int32_t*) const override {
-    for (int d = 0; d < 2; ++d) position[d] -= scene.box[d] * std::floor(position[d] / scene.box[d]);
-  }
+  Continuation continuation(int) const override { return Continuation::wrapped; }
 };
 
 /// Quintic spline, h = 4/3 dx.

@@ -6,6 +6,8 @@
 #include <limits>
 #include <random>
 
+#include "domain/cell_grid.hpp"
+#include "ghosts/ghosts.hpp"
 #include "test_plugins.hpp"
 
 namespace mesogen::test {
@@ -41,11 +43,21 @@ Points scattered(const Scene& scene, int count, unsigned seed) {
   return points;
 }
 
-Copies copies_of(const Boundary& boundary, const Scene& scene, const Points& points, double reach) {
-  const std::array<const double*, 3> position{points[0].data(), points[1].data(), points[2].data()};
-  Copies copies;
-  boundary.copies(scene, position.data(), static_cast<Index>(points[0].size()), reach, copies);
-  return copies;
+GhostList ghosts_of(const Boundary& boundary, const Scene& scene, const Points& points, double reach) {
+  const Backend& backend = Backend::host();
+  Ghosts ghosts(images_of(scene, boundary), backend);
+  const std::array<exec::Array<double>, 3> position{exec::Array<double>(points[0].begin(), points[0].end()),
+                                                    exec::Array<double>(points[1].begin(), points[1].end()),
+                                                    exec::Array<double>(points[2].begin(), points[2].end())};
+  ghosts.build(scene, CellGrid(scene, boundary, reach), position, reach);
+  const GhostView view = ghosts.view(0);
+  GhostList list;
+  for (Index n = 0; n < ghosts.count(); ++n) {
+    list.source.push_back(view.source[n]);
+    list.offset.push_back({});
+    for (int d = 0; d < scene.dimension; ++d) list.offset.back()[static_cast<std::size_t>(d)] = view.offset[d][n];
+  }
+  return list;
 }
 
 void expect_keeps_inside(const std::string& name) {

@@ -18,8 +18,12 @@ Scene scene_of(int dimension, std::array<double, 3> box);
 Points lattice(const Scene& scene, int cells);
 /// Points anywhere in the box, the same for the same seed.
 Points scattered(const Scene& scene, int count, unsigned seed);
-/// All copies that a boundary makes of these points.
-Copies copies_of(const Boundary& boundary, const Scene& scene, const Points& points, double reach);
+struct GhostList {
+  std::vector<Index> source;
+  std::vector<std::array<double, 3>> offset;  ///< m
+};
+/// All ghosts of these points, by cell.
+GhostList ghosts_of(const Boundary& boundary, const Scene& scene, const Points& points, double reach);
 
 /// keep_inside brings any coordinate into [0, box), keeps the unwrapped path, and counts the boxes crossed.
 void expect_keeps_inside(const std::string& boundary);

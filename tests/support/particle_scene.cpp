@@ -44,7 +44,11 @@ Particles particles_at(const std::array<std::vector<double>, 2>& points) {
 }  // namespace
 
 ParticleScene::ParticleScene(const Options& options, const std::array<std::vector<double>, 2>& points)
-    : boundary_(built_plugins().make_boundary(options.boundary)),
+    : ParticleScene(options, points, built_plugins().make_boundary(options.boundary)) {}
+
+ParticleScene::ParticleScene(const Options& options, const std::array<std::vector<double>, 2>& points,
+                             std::unique_ptr<Boundary> boundary)
+    : boundary_(std::move(boundary)),
       world_(std::make_unique<World>(scene_of(options, points[0].size()), smoothing(options), *boundary_,
                                      particles_at(points))),
       catalogue_(2) {

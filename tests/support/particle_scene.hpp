@@ -28,6 +28,9 @@ class ParticleScene {
 
   /// `points`: coordinates by axis, m; the n-th gets id n.
   ParticleScene(const Options& options, const std::array<std::vector<double>, 2>& points);
+  /// In a boundary of the test's own.
+  ParticleScene(const Options& options, const std::array<std::vector<double>, 2>& points,
+                std::unique_ptr<Boundary> boundary);
 
   /// f = function(x, y) at the particles' coordinates, as they are stored.
   void set(const std::function<double(double x, double y)>& function);

@@ -1,6 +1,4 @@
-#include <omp.h>
-
-#include <algorithm>
+#include <atomic>
 
 #include "mesogen/domain/periodic.hpp"
 #include "mesogen/plugin/boundary.hpp"
@@ -10,15 +8,17 @@ namespace {
 
 using namespace mesogen;
 
-/// Copies beyond all faces, unless there is a fault.
+/// Ghosts beyond all faces, unless there is a fault.
 class Unfit final : public Boundary {
  public:
   void parameters(ParameterList& list) override {
     list.text("fault", fault_)
-        .choices({"none", "lost", "uncounted", "restless", "corners", "twice", "inside", "carry_over", "threads"})
+        .choices({"none", "lost", "uncounted", "restless", "missing", "twice", "rule", "again"})
         .doc("what is wrong");
   }
-  [[nodiscard]] bool wraps(int) const override { return false; }
+  [[nodiscard]] Continuation continuation(int axis) const override {
+    return fault_ == "missing" && axis == 1 ? Continuation::none : Continuation::ghosts;
+  }
 
   void keep_inside(const Scene& scene, double* position, std::int32_t* images) const override {
     if (fault_ == "lost") return;
@@ -30,32 +30,19 @@ class Unfit final : public Boundary {
     }
   }
 
-  void copies(const Scene& scene, const double* const* position, Index count, double reach,
-              Copies& out) const override {
-    out.source.clear();
-    out.offset.clear();
-    for (Index i = 0; i < count; ++i)
-      for (int y = -1; y <= 1; ++y)
-        for (int x = -1; x <= 1; ++x) {
-          if (x == 0 && y == 0) continue;
-          if (fault_ == "corners" && x != 0 && y != 0) continue;
-          const double at_x = position[0][i] + x * scene.box[0];
-          const double at_y = position[1][i] + y * scene.box[1];
-          if (at_x < -reach || at_x >= scene.box[0] + reach || at_y < -reach || at_y >= scene.box[1] + reach) continue;
-          const double factor = fault_ == "inside" ? 0.5 : 1.0;
-          for (int n = 0; n < (fault_ == "twice" ? 2 : 1); ++n) {
-            out.source.push_back(i);
-            out.offset.push_back({x * factor * scene.box[0], y * factor * scene.box[1], 0.0});
-          }
-        }
-    if (fault_ == "threads" && omp_get_max_threads() > 1) {
-      std::reverse(out.source.begin(), out.source.end());
-      std::reverse(out.offset.begin(), out.offset.end());
-    }
+  /// A wall particle where a fluid particle is.
+  [[nodiscard]] std::vector<WallParticle> wall_particles(const Scene& scene, double) const override {
+    if (fault_ != "twice") return {};
+    const double at = scene.spacing / 2.0;
+    return {{.position = {at, at, 0.0}, .mirror = {at, 3.0 * at, 0.0}, .normal = {0.0, 1.0, 0.0}}};
   }
 
-  void carry_over(const Scene&, std::string_view, int, const Copies&, std::vector<Extension>& rules) const override {
-    for (Extension& rule : rules) rule.factor = fault_ == "carry_over" ? 2.0 : 1.0;
+  [[nodiscard]] AffineRule ghost_rule(const Scene&, const FieldKind& field, const std::array<int, 3>&) const override {
+    AffineRule rule(field);
+    if (fault_ == "rule") rule.matrix(0, 0) = 2.0;
+    static std::atomic<int> asked = 0;
+    if (fault_ == "again") rule.summand(0) = 0.001 * ++asked;
+    return rule;
   }
 
  private:

@@ -1,7 +1,8 @@
-// A periodic box that shows both ways to let it go on beyond its faces: along x the cell grid itself continues on the
-// other side; along y, particles near a face are copied beyond the opposite one.
+// A box with two ways to go on beyond its faces: periodic along x, and solid walls across y, where the fluid does not
+// slip. See Boundary for all that a boundary can say.
 
-#include "mesogen/domain/periodic.hpp"
+#include <cmath>
+
 #include "mesogen/plugin/boundary.hpp"
 #include "mesogen/plugin/plugin.hpp"
 
@@ -11,33 +12,36 @@ using namespace mesogen;
 
 class TemplateNamePlugin final : public Boundary {
  public:
-  [[nodiscard]] bool wraps(int axis) const override { return axis == 0; }
-
-  // A particle that left comes back in on the other side; `images` counts the boxes that it crossed.
-  void keep_inside(const Scene& scene, double* position, std::int32_t* images) const override {
-    for (int d = 0; d < scene.dimension; ++d)
-      wrap_into_box(scene.box[static_cast<unsigned>(d)], position[d], images[d]);
+  // Continuation::ghosts is periodic too; Continuation::none lets the box end.
+  [[nodiscard]] Continuation continuation(int axis) const override {
+    return axis == 1 ? Continuation::none : Continuation::wrapped;
   }
 
-  // One loop in the order of the particles, so the copies do not depend on the number of threads.
-  void copies(const Scene& scene, const double* const* position, Index count, double reach,
-              Copies& out) const override {
-    out.source.clear();
-    out.offset.clear();
-    const double height = scene.box[1];
-    for (Index i = 0; i < count; ++i) {
-      if (position[1][i] < reach) add(out, i, height);
-      if (position[1][i] >= height - reach) add(out, i, -height);
-    }
+  // The lattice of the particles goes on behind both walls, as far as the kernel reaches.
+  [[nodiscard]] std::vector<WallParticle> wall_particles(const Scene& scene, double reach) const override {
+    const auto columns = static_cast<int>(std::lround(scene.box[0] / scene.spacing));
+    const auto layers = static_cast<int>(std::ceil(reach / scene.spacing));
+    std::vector<WallParticle> all;
+    for (int layer = 0; layer < layers; ++layer)
+      for (int column = 0; column < columns; ++column) {
+        const double x = (column + 0.5) * scene.box[0] / columns;
+        const double depth = (layer + 0.5) * scene.spacing;
+        const double top = scene.box[1];
+        all.push_back({.position = {x, -depth, 0.0}, .mirror = {x, depth, 0.0}, .normal = {0.0, 1.0, 0.0}});
+        all.push_back({.position = {x, top + depth, 0.0}, .mirror = {x, top - depth, 0.0}, .normal = {0.0, -1.0, 0.0}});
+      }
+    return all;
   }
 
- private:
-  static void add(Copies& out, Index source, double above) {
-    out.source.push_back(source);
-    out.offset.push_back({0.0, above, 0.0});
+  // The fluid is at rest at the walls; everything else has no slope there, which is the default.
+  [[nodiscard]] AffineRule wall_rule(const Scene& scene, const FieldKind& field,
+                                     const WallParticle& at) const override {
+    const double at_rest[3] = {0.0, 0.0, 0.0};
+    if (field.role == FieldRole::velocity) return AffineRule::held_at(field, at_rest);
+    return Boundary::wall_rule(scene, field, at);
   }
 };
 
 }  // namespace
 
-MESOGEN_BOUNDARY_PLUGIN(TemplateNamePlugin, "template_name", "1.0.0", "Periodic box: wrapped along x, copies along y")
+MESOGEN_BOUNDARY_PLUGIN(TemplateNamePlugin, "template_name", "1.0.0", "Periodic along x, no slip at walls across y")

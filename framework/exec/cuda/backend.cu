@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <cub/device/device_radix_sort.cuh>
+#include <cub/device/device_scan.cuh>
 #include <memory>
 #include <new>
 
@@ -14,6 +15,7 @@
 #include "exec/loops_here.hpp"
 #include "exec/order_by_cell.hpp"
 #include "exec/outside.hpp"
+#include "exec/running_sums.hpp"
 #include "mesogen/diagnostics/error.hpp"
 
 namespace mesogen {
@@ -127,6 +129,18 @@ class CudaCellLoops final : public exec::CellLoopsHere {
           "looking for who left the box");
     check(cudaStreamSynchronize(stream), "looking for who left the box");
     return left;
+  }
+
+  Index running_sums(Index* values, Index count) const override {
+    if (!space().device) return exec::running_sums(values, count);
+    const auto stream = static_cast<cudaStream_t>(space().stream);
+    std::size_t bytes = 0;
+    check(cub::DeviceScan::ExclusiveSum(nullptr, bytes, values, values, count + 1, stream), "adding up");
+    check(cub::DeviceScan::ExclusiveSum(scratch_.of(bytes), bytes, values, values, count + 1, stream), "adding up");
+    Index sum = 0;
+    check(cudaMemcpyAsync(&sum, values + count, sizeof(Index), cudaMemcpyDeviceToHost, stream), "adding up");
+    check(cudaStreamSynchronize(stream), "adding up");
+    return sum;
   }
 
  private:

@@ -11,17 +11,15 @@ using namespace mesogen::test;
 
 TEST(PeriodicWrap, KeepsParticlesInside) { expect_keeps_inside("periodic_wrap"); }
 
-TEST(PeriodicWrap, WrapsTheGridAndMakesNoCopies) {
+TEST(PeriodicWrap, WrapsTheGridAndMakesNoGhosts) {
   const auto boundary = built_plugins().make_boundary("periodic_wrap");
   const Scene scene = scene_of(2, {1.0, 1.0, 0.0});
-  Copies copies = copies_of(*boundary, scene, lattice(scene, 8), 0.4);
-  EXPECT_TRUE(boundary->wraps(0));
-  EXPECT_TRUE(boundary->wraps(1));
-  EXPECT_TRUE(copies.source.empty());
-  EXPECT_TRUE(copies.offset.empty());
+  EXPECT_EQ(boundary->continuation(0), Continuation::wrapped);
+  EXPECT_EQ(boundary->continuation(1), Continuation::wrapped);
+  EXPECT_TRUE(ghosts_of(*boundary, scene, lattice(scene, 8), 0.4).source.empty());
 }
 
-TEST(PeriodicWrap, FindsTheNeighboursThatCopiesGive) {
+TEST(PeriodicWrap, FindsTheNeighboursThatGhostsGive) {
   const auto sums = [](const char* boundary) {
     mesogen::testing::PluginHarness harness(PluginKind::boundary, boundary);
     harness.give("velocity");

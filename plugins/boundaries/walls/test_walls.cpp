@@ -18,7 +18,6 @@ struct WallsUnderTest {
   std::unique_ptr<Boundary> boundary = built_plugins().make_boundary("walls");
   ParameterList parameters;
   Scene scene = scene_of(2, {1.0, 2.0, 0.0});
-  Dummies dummies;
 
   WallsUnderTest() {
     boundary->parameters(parameters);
@@ -30,57 +29,59 @@ struct WallsUnderTest {
       if (parameter.name == name) *std::get<Value*>(parameter.target) = value;
     return *this;
   }
-  std::vector<Extension> extension(const std::string& field, int components) {
-    boundary->dummies(scene, reach, dummies);
-    std::vector<Extension> all(dummies.position.size() * static_cast<std::size_t>(components));
-    boundary->extend(scene, field, components, dummies, all);
-    return all;
+  [[nodiscard]] std::vector<WallParticle> particles() const { return boundary->wall_particles(scene, reach); }
+  [[nodiscard]] AffineRule rule(Rank rank, FieldRole role, const WallParticle& at) const {
+    return boundary->wall_rule(scene, {rank, role, 2}, at);
   }
 };
 
+void expect_same(const AffineRule& rule) {
+  for (int r = 0; r < rule.components(); ++r) {
+    EXPECT_EQ(rule.summand(r), 0.0);
+    for (int c = 0; c < rule.components(); ++c) EXPECT_EQ(rule.matrix(r, c), r == c ? 1.0 : 0.0);
+  }
+}
+
 TEST(Walls, StandAcrossTheAxesThatTheCaseNames) {
   WallsUnderTest channel;
-  EXPECT_TRUE(channel.boundary->periodic(0) && channel.boundary->wraps(0));
-  EXPECT_FALSE(channel.boundary->periodic(1) || channel.boundary->wraps(1));
+  EXPECT_EQ(channel.boundary->continuation(0), Continuation::wrapped);
+  EXPECT_EQ(channel.boundary->continuation(1), Continuation::none);
   channel.set("axes", std::vector<std::string>{"x", "y"});
   EXPECT_FALSE(channel.boundary->periodic(0) || channel.boundary->periodic(1));
 }
 
 TEST(Walls, ContinueTheLatticeAsFarAsTheKernelReaches) {
   WallsUnderTest channel;
-  channel.boundary->dummies(channel.scene, reach, channel.dummies);
-  EXPECT_EQ(channel.dummies.position.size(), 2U * 5U * 10U);
-  for (std::size_t n = 0; n < channel.dummies.position.size(); ++n) {
-    const auto& at = channel.dummies.position[n];
-    const auto& mirror = channel.dummies.mirror[n];
+  EXPECT_EQ(channel.particles().size(), 2U * 5U * 10U);
+  for (const auto& [at, mirror, normal] : channel.particles()) {
     EXPECT_TRUE(at[1] < 0.0 || at[1] > 2.0);
     EXPECT_NEAR(std::remainder(at[1] / 0.1 - 0.5, 1.0), 0.0, 1e-12);
     EXPECT_EQ(mirror[0], at[0]);
     EXPECT_NEAR(mirror[1], at[1] < 0.0 ? -at[1] : 4.0 - at[1], 1e-15);
+    EXPECT_EQ(normal, (std::array<double, 3>{0.0, at[1] < 0.0 ? 1.0 : -1.0, 0.0}));
   }
   channel.set("axes", std::vector<std::string>{"x", "y"});
-  channel.boundary->dummies(channel.scene, reach, channel.dummies);
-  EXPECT_EQ(channel.dummies.position.size(), 20U * 30U - 10U * 20U) << "corners are filled too, once";
+  EXPECT_EQ(channel.particles().size(), 20U * 30U - 10U * 20U) << "corners are filled too, once";
 }
 
 TEST(Walls, HoldVelocityAndOrderTensorHalfWayAndNothingElse) {
   WallsUnderTest channel;
   channel.set("velocity_low", -0.25).set("velocity_high", 0.5).set("anchoring", std::string("angle"));
   channel.set("angle_low", 0.0).set("angle_high", 45.0).set("order", 0.8);
-  const auto velocity = channel.extension("velocity", 2);
-  const auto tensor = channel.extension("order_tensor", 2);
-  for (std::size_t n = 0; n < channel.dummies.position.size(); ++n) {
-    const bool high = channel.dummies.position[n][1] > 0.0;
-    EXPECT_EQ(velocity[2 * n].factor, -1.0);
-    EXPECT_EQ(velocity[2 * n].summand, high ? 1.0 : -0.5);
-    EXPECT_EQ(velocity[2 * n + 1].summand, 0.0);
-    EXPECT_EQ(tensor[2 * n].factor, -1.0);
-    EXPECT_NEAR(tensor[2 * n].summand, high ? 0.0 : 1.6, 1e-15);
-    EXPECT_NEAR(tensor[2 * n + 1].summand, high ? 1.6 : 0.0, 1e-15);
-  }
-  for (const Extension& rule : channel.extension("pressure_term", 1)) {
-    EXPECT_EQ(rule.factor, 1.0);
-    EXPECT_EQ(rule.summand, 0.0);
+  for (const WallParticle& at : channel.particles()) {
+    const bool high = at.position[1] > 0.0;
+    const AffineRule velocity = channel.rule(Rank::vector, FieldRole::velocity, at);
+    const AffineRule tensor = channel.rule(Rank::order_tensor, FieldRole::state, at);
+    EXPECT_EQ(velocity.matrix(0, 0), -1.0);
+    EXPECT_EQ(velocity.matrix(0, 1), 0.0);
+    EXPECT_EQ(velocity.summand(0), high ? 1.0 : -0.5);
+    EXPECT_EQ(velocity.summand(1), 0.0);
+    EXPECT_EQ(tensor.matrix(1, 1), -1.0);
+    EXPECT_NEAR(tensor.summand(0), high ? 0.0 : 1.6, 1e-15);
+    EXPECT_NEAR(tensor.summand(1), high ? 1.6 : 0.0, 1e-15);
+    expect_same(channel.rule(Rank::scalar, FieldRole::state, at));
+    expect_same(channel.rule(Rank::vector, FieldRole::derived, at));        // an acceleration
+    expect_same(channel.rule(Rank::order_tensor, FieldRole::derived, at));  // a molecular field
   }
 }
 
@@ -89,17 +90,17 @@ TEST(Walls, AnchorAlongOrAcrossThemselves) {
   box.set("axes", std::vector<std::string>{"x", "y"});
   for (const bool planar : {true, false}) {
     box.set("anchoring", std::string(planar ? "planar" : "homeotropic"));
-    const auto tensor = box.extension("order_tensor", 2);
-    for (std::size_t n = 0; n < box.dummies.position.size(); ++n) {
-      const auto& at = box.dummies.position[n];
+    for (const WallParticle& wall : box.particles()) {
+      const auto& at = wall.position;
       const double beyond_x = std::max(-at[0], at[0] - 1.0);
       const double beyond_y = std::max(-at[1], at[1] - 2.0);
       if (std::abs(beyond_x - beyond_y) < 1e-12) continue;  // on the diagonal of a corner
-      EXPECT_NEAR(tensor[2 * n].summand, (beyond_y > beyond_x) == planar ? 2.0 : -2.0, 1e-12);
+      const AffineRule tensor = box.rule(Rank::order_tensor, FieldRole::state, wall);
+      EXPECT_NEAR(tensor.summand(0), (beyond_y > beyond_x) == planar ? 2.0 : -2.0, 1e-12);
     }
   }
   box.set("anchoring", std::string("none"));
-  for (const Extension& rule : box.extension("order_tensor", 2)) EXPECT_EQ(rule.factor, 1.0);
+  for (const WallParticle& at : box.particles()) expect_same(box.rule(Rank::order_tensor, FieldRole::state, at));
 }
 
 TEST(Walls, ReflectWhatPassedThem) {
@@ -147,7 +148,7 @@ TEST(Walls, TellHowFastTheyMove) {
   EXPECT_EQ(scales.speed, 0.25);
 }
 
-// Particles at random places, the fields read from the dummies: a linear field stays linear across the wall, so its
+// Particles at random places, the fields read in the walls: a linear field stays linear across the wall, so its
 // gradient is exact up to it.
 TEST(Walls, LinearFieldsStayLinearAcrossThem) {
   CaseText text(1.0, 16);

@@ -1,5 +1,5 @@
 // Solid walls across one axis or more, the box periodic along the others: no slip, the director anchored or free.
-// Fixed dummy particles fill what the kernel reaches behind a wall. What they carry is taken from the mirror point in
+// Fixed particles fill what the kernel reaches behind a wall. What they carry is taken from the mirror point in
 // the fluid (S. Marrone et al., Comput. Methods Appl. Mech. Engrg. 200, 1526 (2011)), so that it has the wall's value
 // half way, at the face of the box; pressure and whatever else has no value there has no slope.
 
@@ -9,7 +9,6 @@
 #include <string>
 
 #include "mesogen/diagnostics/error.hpp"
-#include "mesogen/domain/periodic.hpp"
 #include "mesogen/plugin/boundary.hpp"
 #include "mesogen/plugin/plugin.hpp"
 
@@ -58,26 +57,12 @@ class Walls final : public Boundary {
       refuse("`anchoring` needs a nematic: add a [physics.*] section with type = \"beris_edwards\", or leave it out");
   }
 
-  [[nodiscard]] bool periodic(int axis) const override { return !has_wall(axis); }
-  [[nodiscard]] bool wraps(int axis) const override { return !has_wall(axis); }
-
-  /// A particle that the shift or a rough flow carried through a wall is reflected by it.
-  void keep_inside(const Scene& scene, double* position, std::int32_t* images) const override {
-    for (int d = 0; d < scene.dimension; ++d) {
-      const double length = scene.box[static_cast<unsigned>(d)];
-      if (!has_wall(d)) {
-        wrap_into_box(length, position[d], images[d]);
-      } else if (position[d] < 0.0 && position[d] > -length) {
-        position[d] = -position[d];
-      } else if (position[d] > length && position[d] < 2.0 * length) {
-        position[d] = 2.0 * length - position[d];
-      }
-    }
+  [[nodiscard]] Continuation continuation(int axis) const override {
+    return has_wall(axis) ? Continuation::none : Continuation::wrapped;
   }
 
   /// The lattice of the particles, continued behind the walls.
-  void dummies(const Scene& scene, double reach, Dummies& out) const override {
-    out = {};
+  [[nodiscard]] std::vector<WallParticle> wall_particles(const Scene& scene, double reach) const override {
     std::array<int, 3> first{};
     std::array<int, 3> last{};
     std::array<double, 3> step{};
@@ -89,77 +74,62 @@ class Walls final : public Boundary {
       first[d] = -layers;
       last[d] = inside + layers - 1;
     }
+    std::vector<WallParticle> all;
     std::array<int, 3> at{};
     for (at[2] = first[2]; at[2] <= last[2]; ++at[2])
       for (at[1] = first[1]; at[1] <= last[1]; ++at[1])
-        for (at[0] = first[0]; at[0] <= last[0]; ++at[0]) add(scene, at, step, out);
+        for (at[0] = first[0]; at[0] <= last[0]; ++at[0]) add(scene, at, step, all);
+    return all;
   }
 
-  void extend(const Scene& scene, std::string_view field, int components, const Dummies& dummies,
-              std::vector<Extension>& extension) const override {
-    const bool no_slip = field == "velocity";
-    const bool anchored = field == "order_tensor" && anchoring_ != "none";
-    if (!no_slip && !anchored) return;
-    for (std::size_t n = 0; n < dummies.position.size(); ++n) {
-      const Wall wall = wall_of(scene, dummies.position[n]);
-      const std::array<double, 3> held = no_slip ? wall_velocity(wall) : wall_order(wall);
-      for (int c = 0; c < components; ++c)
-        extension[n * static_cast<std::size_t>(components) + static_cast<std::size_t>(c)] = {
-            -1.0, 2.0 * held.at(static_cast<std::size_t>(c))};
-    }
+  [[nodiscard]] AffineRule wall_rule(const Scene&, const FieldKind& field, const WallParticle& at) const override {
+    if (field.role == FieldRole::velocity) return AffineRule::held_at(field, wall_velocity(at.normal));
+    if (field.rank == Rank::order_tensor && field.role == FieldRole::state && anchoring_ != "none")
+      return AffineRule::held_at(field, wall_order(at.normal));
+    return AffineRule(field);
   }
 
  private:
   [[noreturn]] static void refuse(const std::string& what) { throw Error(ExitCode::bad_case, what); }
-
-  struct Wall {
-    int axis = 0;
-    bool high = false;
-  };
 
   [[nodiscard]] bool has_wall(int axis) const {
     const char* const name = axis == 0 ? "x" : (axis == 1 ? "y" : "z");
     return std::find(axes_.begin(), axes_.end(), name) != axes_.end();
   }
 
-  static void add(const Scene& scene, const std::array<int, 3>& at, const std::array<double, 3>& step, Dummies& out) {
-    std::array<double, 3> position{};
-    std::array<double, 3> mirror{};
-    bool outside = false;
-    for (unsigned d = 0; d < static_cast<unsigned>(scene.dimension); ++d) {
-      position[d] = (at[d] + 0.5) * step[d];
-      mirror[d] = position[d] < 0.0 ? -position[d] : std::min(position[d], 2.0 * scene.box[d] - position[d]);
-      outside = outside || position[d] < 0.0 || position[d] > scene.box[d];
-    }
-    if (!outside) return;
-    out.position.push_back(position);
-    out.mirror.push_back(mirror);
-  }
-
-  /// In a corner the wall that is farther away counts: its dummies lie deeper behind it.
-  [[nodiscard]] static Wall wall_of(const Scene& scene, const std::array<double, 3>& position) {
-    Wall wall;
+  static void add(const Scene& scene, const std::array<int, 3>& at, const std::array<double, 3>& step,
+                  std::vector<WallParticle>& all) {
+    WallParticle wall;
+    // In a corner the wall that is farther away counts: the particle lies deeper behind it.
     double deepest = 0.0;
     for (unsigned d = 0; d < static_cast<unsigned>(scene.dimension); ++d) {
-      const double depth = std::max(-position[d], position[d] - scene.box[d]);
+      const double x = wall.position[d] = (at[d] + 0.5) * step[d];
+      wall.mirror[d] = x < 0.0 ? -x : std::min(x, 2.0 * scene.box[d] - x);
+      const double depth = std::max(-x, x - scene.box[d]);
       if (depth <= deepest) continue;
       deepest = depth;
-      wall = {static_cast<int>(d), position[d] > 0.0};
+      wall.normal = {};
+      wall.normal[d] = x < 0.0 ? 1.0 : -1.0;
     }
-    return wall;
+    if (deepest > 0.0) all.push_back(wall);
   }
 
-  [[nodiscard]] std::array<double, 3> wall_velocity(const Wall& wall) const {
+  /// Of the two walls across an axis, the normal points away from the axis' end at the one that is there.
+  static bool is_high(const std::array<double, 3>& normal) { return normal[0] + normal[1] + normal[2] < 0.0; }
+  static bool is_across_x(const std::array<double, 3>& normal) { return normal[0] != 0.0; }
+
+  [[nodiscard]] std::array<double, 3> wall_velocity(const std::array<double, 3>& normal) const {
     std::array<double, 3> velocity{};
-    velocity[wall.axis == 0 ? 1 : 0] = wall.high ? velocity_high_ : velocity_low_;
+    velocity[is_across_x(normal) ? 1 : 0] = is_high(normal) ? velocity_high_ : velocity_low_;
     return velocity;
   }
 
-  [[nodiscard]] std::array<double, 3> wall_order(const Wall& wall) const {
-    double angle = (wall.high ? angle_high_ : angle_low_) * std::numbers::pi / 180.0;
-    if (anchoring_ == "planar") angle = wall.axis == 0 ? std::numbers::pi / 2.0 : 0.0;
-    if (anchoring_ == "homeotropic") angle = wall.axis == 0 ? 0.0 : std::numbers::pi / 2.0;
-    return {order_ * std::cos(2.0 * angle), order_ * std::sin(2.0 * angle), 0.0};
+  [[nodiscard]] std::array<double, 2> wall_order(const std::array<double, 3>& normal) const {
+    const double along = is_across_x(normal) ? std::numbers::pi / 2.0 : 0.0;
+    double angle = (is_high(normal) ? angle_high_ : angle_low_) * std::numbers::pi / 180.0;
+    if (anchoring_ == "planar") angle = along;
+    if (anchoring_ == "homeotropic") angle = std::numbers::pi / 2.0 - along;
+    return {order_ * std::cos(2.0 * angle), order_ * std::sin(2.0 * angle)};
   }
 
   std::vector<std::string> axes_{"y"};
@@ -174,4 +144,4 @@ class Walls final : public Boundary {
 }  // namespace
 
 MESOGEN_BOUNDARY_PLUGIN(Walls, "walls", "1.0.0",
-                        "Solid walls: no slip, anchored or free director; fixed dummy particles")
+                        "Solid walls: no slip, anchored or free director; fixed wall particles")

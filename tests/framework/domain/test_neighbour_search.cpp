@@ -48,7 +48,7 @@ std::vector<FoundPair> pairs_in_grid(World& world, Form form) {
   world.settle();
   Neighbours<double, 2> grid{};
   world.neighbourhood.fill(grid);
-  const auto& copies = world.neighbourhood.copies();
+  const GhostView ghosts = world.neighbourhood.ghost_view();
   const auto count = world.particles.count();
   const double radius = world.scene.support;
   std::vector<FoundPair> pairs;
@@ -58,7 +58,7 @@ std::vector<FoundPair> pairs_in_grid(World& world, Form form) {
         const double x = grid.local[0][i] - across - grid.local[0][j];
         const double y = grid.local[1][i] - up - grid.local[1][j];
         if (std::hypot(x, y) >= radius) continue;
-        const Index real = j < count ? j : copies.source[static_cast<std::size_t>(j - count)];
+        const Index real = j < count ? j : ghosts.source[j - ghosts.first];
         pairs.emplace_back(world.particles.id[static_cast<std::size_t>(i)],
                            world.particles.id[static_cast<std::size_t>(real)], rounded(x, radius), rounded(y, radius));
       }

@@ -14,6 +14,7 @@
 #include "domain/cell_grid.hpp"
 #include "exec/backend.hpp"
 #include "exec/largest.hpp"
+#include "ghosts/rule_table.hpp"
 
 namespace {
 
@@ -28,8 +29,7 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 class Wrapped final : public Boundary {
  public:
-  bool wraps(int) const override { return true; }
-  void keep_inside(const Scene&, double*, std::int32_t*) const override {}
+  [[nodiscard]] Continuation continuation(int) const override { return Continuation::wrapped; }
 };
 
 TEST(Loops, AdvanceInDoubleAndRoundForPasses) {
@@ -111,15 +111,48 @@ TEST(Loops, MoveTellsOfAParticleThatIsNowhere) {
   EXPECT_GT(found(Backend::host().loops<double>().move(moving, 2)), 0.0);
 }
 
-TEST(Loops, CopiesGoByTheirRules) {
-  std::vector<double> values{1.0, 2.0, 0.0, 0.0, 10.0, 20.0, 0.0, 0.0};  // 2 particles, 2 copies, 2 components
+TEST(Loops, GhostsGoByTheRulesOfTheirImages) {
+  std::vector<double> values{1.0, 2.0, 0.0, 0.0, 10.0, 20.0, 0.0, 0.0};  // 2 particles, 2 ghosts, 2 components
   const std::vector<Index> source{1, 0};
+  const std::vector<std::uint8_t> image{0, 1};
   const FieldView<double> field{values.data(), 4};
-  Backend::host().loops<double>().carry_over(field, 2, 2, source.data(), 2, nullptr);
+  const GhostView ghosts{2, 2, source.data(), image.data(), {}, {}};
+  Backend::host().loops<double>().refresh(ghosts, {}, field, 2);
   EXPECT_EQ(values, (std::vector<double>{1.0, 2.0, 2.0, 1.0, 10.0, 20.0, 20.0, 10.0}));
-  const std::vector<Extension> rules{{1.0, 0.5}, {-1.0, 0.0}, {1.0, -0.5}, {-1.0, 0.0}};
-  Backend::host().loops<double>().carry_over(field, 2, 2, source.data(), 2, rules.data());
-  EXPECT_EQ(values, (std::vector<double>{1.0, 2.0, 2.5, 0.5, 10.0, 20.0, -20.0, -10.0}));
+  const FieldKind kind{Rank::vector, FieldRole::velocity, 2};
+  AffineRule first(kind);
+  first.summand(0) = 0.5;
+  const RuleTable diagonal({first, AffineRule::held_at(kind, std::array{0.0, 1.0})}, exec::Memory::host());
+  EXPECT_TRUE(diagonal.view().diagonal);
+  Backend::host().loops<double>().refresh(ghosts, diagonal.view(), field, 2);
+  EXPECT_EQ(values, (std::vector<double>{1.0, 2.0, 2.5, -1.0, 10.0, 20.0, 20.0, -8.0}));
+  // Along the diagonal the mirror image exchanges x and y, and their signs.
+  const AffineRule mirror = AffineRule::reflected(kind, {std::sqrt(0.5), std::sqrt(0.5), 0.0});
+  const RuleTable mixing({mirror, first.after(mirror)}, exec::Memory::host());
+  EXPECT_FALSE(mixing.view().diagonal);
+  Backend::host().loops<double>().refresh(ghosts, mixing.view(), field, 2);
+  EXPECT_NEAR(values[2], -20.0, 1e-14);
+  EXPECT_NEAR(values[6], -2.0, 1e-14);
+  EXPECT_NEAR(values[3], -9.5, 1e-14);
+  EXPECT_NEAR(values[7], -1.0, 1e-14);
+}
+
+TEST(Loops, RulesThatLeaveAllTheSameTakeNoRoom) {
+  const FieldKind kind{Rank::matrix, FieldRole::derived, 2};
+  const RuleTable same({AffineRule(kind), AffineRule(kind)}, exec::Memory::host());
+  EXPECT_FALSE(same.view());
+}
+
+TEST(CellLoops, RunningSums) {
+  for (const Index count : {0, 1, 5, 4096, 10000}) {
+    std::vector<Index> values;
+    for (Index i = 0; i < count; ++i) values.push_back(i % 3);
+    std::vector<Index> expected{0};
+    for (const Index value : values) expected.push_back(expected.back() + value);
+    values.push_back(-1);
+    EXPECT_EQ(Backend::host().cells().running_sums(values.data(), count), expected.back());
+    EXPECT_EQ(values, expected);
+  }
 }
 
 TEST(CellLoops, OrderAndRangesAgree) {

@@ -14,8 +14,8 @@ double largest_difference(const std::string& precision, int steps) {
   CaseRun wrap(active_scene(precision, "periodic_wrap"));
   ghosts.run_steps(steps);
   wrap.run_steps(steps);
-  EXPECT_GT(ghosts.world().neighbourhood.outside_count(), 0);
-  EXPECT_EQ(wrap.world().neighbourhood.outside_count(), 0);
+  EXPECT_GT(ghosts.world().neighbourhood.boundary_count(), 0);
+  EXPECT_EQ(wrap.world().neighbourhood.boundary_count(), 0);
   EXPECT_EQ(ghosts.time(), wrap.time());
   const auto a = state_of(ghosts);
   const auto b = state_of(wrap);

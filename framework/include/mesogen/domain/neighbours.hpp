@@ -34,19 +34,22 @@ struct NeighbourBlock {
 /// reach begin and end is found once a sorting and kept, cut into blocks. Coordinates are kept relative to a tile (a
 /// group of cells of one row): small numbers, so that float stays exact however large the box is or however far it lies
 /// from the origin. The same offsets carry periodic images, so a wrapped box needs no minimum image in the loop, and
-/// boundary copies are no special case: they are cells like others, outside the box.
+/// ghosts are no special case: they are in cells like others, outside the box. Particles of walls are runs of their
+/// own in the same cells.
 template <class Real, int Dim>
 struct Neighbours {
-  const Real* local[Dim];  ///< particle coordinates relative to the tile of their cell, m
-  const Index* cell_begin;
+  const Real* local[Dim];   ///< particle coordinates relative to the tile of their cell, m
+  const Index* cell_begin;  ///< by cell: particles inside the box, their ghosts outside it
   const Index* cell_end;
+  const Index* wall_begin;  ///< by cell, inside or outside: particles of walls; null where there are none
+  const Index* wall_end;
   const Index* cell_of;             ///< for each particle, the number of its cell inside the box
   const std::int64_t* block_begin;  ///< for each particle, the first of its blocks; one more at the end
   const NeighbourBlock* block;      ///< together they hold each particle within the support once, itself included
   const Real* offset[Dim];          ///< by shift of a block, from most_shift below zero to as many above
-  Index particle_count;             ///< real particles
+  Index particle_count;             ///< particles of the fluid
   int cells[Dim];                   ///< cells inside the box
-  int padding[Dim];                 ///< layers of cells outside it on either side, for boundary copies
+  int padding[Dim];                 ///< layers of cells outside it on either side, for ghosts and walls
   int reach[Dim];                   ///< how many cells away a neighbour can be
   bool wrapped[Dim];                ///< does the grid continue on the other side?
   double width[Dim];                ///< of a cell, m
@@ -54,7 +57,7 @@ struct Neighbours {
   Real radius;                      ///< support of the kernel, m
   Real smallest;  ///< added to the square of a distance, so that 1/r is finite for a particle and itself, m^2
 
-  static constexpr int most_segments = Dim == 2 ? 24 : 120;
+  static constexpr int most_segments = Dim == 2 ? 48 : 240;
 
   [[nodiscard]] MESOGEN_HOST_DEVICE int cell_count() const {
     int n = 1;
@@ -129,12 +132,18 @@ struct Neighbours {
       const Tile t = tile_of(from);
       const int last = t.last < to ? t.last : to;
       at[0] = t.first_stored + (from - t.first);
-      segment.begin = cell_begin[cell_index(at)];
-      at[0] = t.first_stored + (last - t.first);
-      segment.end = cell_end[cell_index(at)];
+      const int first_cell = cell_index(at);
+      const int last_cell = first_cell + last - from;
       segment.shift[0] = t.first - origin;
       segment.offset[0] = Real(segment.shift[0] * width[0]);
+      segment.begin = cell_begin[first_cell];
+      segment.end = cell_end[last_cell];
       if (segment.begin < segment.end) out[count++] = segment;
+      if (wall_begin != nullptr) {
+        segment.begin = wall_begin[first_cell];
+        segment.end = wall_end[last_cell];
+        if (segment.begin < segment.end) out[count++] = segment;
+      }
       from = last + 1;
     }
     return count;

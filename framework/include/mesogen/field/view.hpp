@@ -8,7 +8,7 @@
 
 namespace mesogen {
 
-/// Index of a particle in storage order. Real particles come first, [0, count); boundary copies follow.
+/// Index of a particle in storage order. Those of the fluid come first, [0, count); those of walls and ghosts follow.
 using Index = std::int32_t;
 
 /// A field as a pass sees it: one contiguous array a component ("structure of arrays").

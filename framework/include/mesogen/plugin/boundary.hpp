@@ -1,35 +1,35 @@
 #pragma once
 
 #include <array>
-#include <string_view>
+#include <cstdint>
 #include <vector>
 
-#include "mesogen/field/view.hpp"
+#include "mesogen/field/kind.hpp"
+#include "mesogen/plugin/affine_rule.hpp"
 #include "mesogen/plugin/parameters.hpp"
 #include "mesogen/plugin/scene.hpp"
 
 namespace mesogen {
 
-/// Copies of particles beyond the faces of the box.
-struct Copies {
-  std::vector<Index> source;                  ///< particle that each copies
-  std::vector<std::array<double, 3>> offset;  ///< position of the copy minus that of its source, m
+/// How space goes on beyond the two faces of an axis.
+enum class Continuation {
+  wrapped,  ///< periodic: the cell grid itself continues on the other side
+  ghosts,   ///< periodic: the framework repeats the particles near a face beyond the opposite one
+  none,     ///< the box ends there: particles of a wall complete what the kernel sees
 };
 
-/// Fixed particles beyond the faces: a wall. They complete the support of the particles near it and never move.
-struct Dummies {
-  std::vector<std::array<double, 3>> position;  ///< beyond a face of an axis that does not wrap, m
-  std::vector<std::array<double, 3>> mirror;    ///< point inside the box from which each takes its values, m
+/// A particle of a wall: it never moves, and completes the support of the fluid particles near it.
+struct WallParticle {
+  std::array<double, 3> position{};  ///< in the wall, m
+  std::array<double, 3> mirror{};  ///< the point in the fluid, as far from the wall's surface, where it takes values, m
+  std::array<double, 3> normal{};  ///< of the surface between the two: a unit vector that points into the fluid
 };
 
-/// The value of a component at a dummy or a copy: factor * (value at the mirror point, or of its source) + summand.
-struct Extension {
-  double factor = 1.0;
-  double summand = 0.0;
-};
-
-/// What happens at the faces of the box. Beyond them may lie copies, which move with particles, or dummies, which stay
-/// where they are; not both.
+/// The boundary of the fluid: a region (how space goes on beyond the faces of the box, and where walls are) and
+/// conditions (what fields are there). A condition is a rule by what a field is, never by its name.
+///
+/// Walls may stand anywhere, also inside the box and beside periodic axes. Particles of the fluid are not placed by the
+/// boundary: they start as [particles] says.
 class MESOGEN_EXPORT Boundary {
  public:
   Boundary() = default;
@@ -41,30 +41,35 @@ class MESOGEN_EXPORT Boundary {
   virtual void parameters(ParameterList& list);
   /// Says what magnitudes it brings to the scene, such as the speed of a wall. Parameters are set.
   virtual void scales(Scales& scales) const;
-  /// Refuses, by an Error, what its parameters cannot mean in this scene. Before everything below, once.
+  /// Refuses, by an Error, what its parameters cannot mean in this scene. Called once, before everything below.
   virtual void prepare(const Scene& scene);
-  /// Does the box go on at its other side along this axis? By default yes. Told to observers and written to results.
-  [[nodiscard]] virtual bool periodic(int axis) const;
-  /// Does the cell grid itself continue on the other side along this axis (nothing is needed beyond its faces)?
-  [[nodiscard]] virtual bool wraps(int axis) const = 0;
-  /// Brings a particle that left the box back in; `images[d]` counts the boxes it has crossed, so that
-  /// position + images * box is its unwrapped path. Called whenever particles are sorted anew, for each that is not in
-  /// [0, box) along every axis.
-  virtual void keep_inside(const Scene& scene, double* position, std::int32_t* images) const = 0;
-  /// Copies needed so that every particle of the box finds all neighbours within `reach`. `position[d]` points to the
-  /// coordinates of all particles. The order of the copies must not depend on the number of threads.
-  virtual void copies(const Scene& scene, const double* const* position, Index count, double reach, Copies& out) const;
-  /// How a field goes over from particles to their copies: `extension[n * components + c]` is for component c of copy
-  /// n. They come as "the same".
-  virtual void carry_over(const Scene& scene, std::string_view field, int components, const Copies& copies,
-                          std::vector<Extension>& extension) const;
-  /// Dummies needed so that every particle of the box has neighbours all around it, as far as `reach` (m). Called once.
-  virtual void dummies(const Scene& scene, double reach, Dummies& out) const;
-  /// How a field goes on behind the wall: `extension[n * components + c]` is for component c at dummy n. They come as
-  /// "the same on both sides" (no slope at the wall); 2 v - (value at the mirror point) holds the field at v there.
-  /// The value at a mirror point is interpolated from the particles, exactly where the field is linear.
-  virtual void extend(const Scene& scene, std::string_view field, int components, const Dummies& dummies,
-                      std::vector<Extension>& extension) const;
+
+  // The region.
+
+  [[nodiscard]] virtual Continuation continuation(int axis) const = 0;
+  /// Does the box go on at its other side along this axis? Told to observers and written to results.
+  [[nodiscard]] bool periodic(int axis) const { return continuation(axis) != Continuation::none; }
+  /// How far (m) an image of the box is moved along its faces, as in a sheared box: along axis d the image lies
+  /// `boxes[d]` boxes away, and this much farther. Asked for axes that continue by ghosts; by default zero.
+  [[nodiscard]] virtual std::array<double, 3> shear(const Scene& scene, const std::array<int, 3>& boxes) const;
+  /// Brings a particle that left the box back in; `images[d]` counts the boxes that it has crossed, so that
+  /// position + images * box is its unwrapped path. Called whenever particles are sorted, for each that is not in
+  /// [0, box) along every axis. By default it comes in at the other side of a periodic axis, and is reflected at the
+  /// ends of the others.
+  virtual void keep_inside(const Scene& scene, double* position, std::int32_t* images) const;
+  /// The particles of walls: all that a particle of the fluid can see within `reach` (m). Along periodic axes they lie
+  /// inside the box; the framework makes their images. Called once.
+  [[nodiscard]] virtual std::vector<WallParticle> wall_particles(const Scene& scene, double reach) const;
+
+  // The conditions. Both rules are by default that values stay the same.
+
+  /// How a field goes over from particles to their ghosts in the image of the box that lies `boxes[d]` boxes away along
+  /// axis d. A sheared box adds to the velocity.
+  [[nodiscard]] virtual AffineRule ghost_rule(const Scene& scene, const FieldKind& field,
+                                              const std::array<int, 3>& boxes) const;
+  /// How a field goes on in a wall. The value at a mirror point is interpolated from the fluid, exactly where the field
+  /// is linear.
+  [[nodiscard]] virtual AffineRule wall_rule(const Scene& scene, const FieldKind& field, const WallParticle& at) const;
 };
 
 }  // namespace mesogen

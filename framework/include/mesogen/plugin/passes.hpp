@@ -120,7 +120,7 @@ struct MESOGEN_EXPORT FieldDeclaration {
 };
 
 /// One piece of work with the fields that it touches. The scheduler orders passes by these, runs them only if somebody
-/// needs what they write, and refreshes boundary copies before a neighbour's value is read.
+/// needs what they write, and refreshes ghosts and walls before a neighbour's value is read.
 struct MESOGEN_EXPORT Pass {
   std::string name;
   Phase phase = Phase::rates;

@@ -1,0 +1,73 @@
+#include "ghosts/boundary_values.hpp"
+
+#include "sph/mirror_values.hpp"
+
+namespace mesogen {
+
+// Where particles moved, other ones stand before the wall; a ghost's values are its source's wherever that is.
+std::uint64_t BoundaryValues::positions() const {
+  return neighbourhood_.walls().count() > 0 ? neighbourhood_.version() : 0;
+}
+
+bool BoundaryValues::up_to_date(const Field& field) const {
+  if (neighbourhood_.boundary_count() == 0) return true;
+  return field.refreshed == field.version && field.refreshed_at == positions();
+}
+
+void BoundaryValues::refresh(Field& field) {
+  const bool single = scene_.precision == Precision::single_precision;
+  single ? refresh_ghosts<float>(field) : refresh_ghosts<double>(field);
+  if (neighbourhood_.walls().count() > 0) {
+    backend_.finish();
+    if (scene_.dimension == 2) {
+      single ? refresh_walls<float, 2>(field) : refresh_walls<double, 2>(field);
+    } else {
+      single ? refresh_walls<float, 3>(field) : refresh_walls<double, 3>(field);
+    }
+  }
+  field.refreshed = field.version;
+  field.refreshed_at = positions();
+}
+
+const BoundaryValues::Rules& BoundaryValues::rules_of(const Field& field) {
+  const auto at = rules_.find(field.name());
+  if (at != rules_.end()) return at->second;
+  const Rules same{{{}, backend_.memory()}, {{}, backend_.memory()}};
+  return rules_.emplace(field.name(), field.kind ? ask(*field.kind) : same).first->second;
+}
+
+BoundaryValues::Rules BoundaryValues::ask(const FieldKind& field) const {
+  const Images& images = neighbourhood_.ghosts().images();
+  std::vector<AffineRule> ghosts;
+  for (int image = 0; image < images.count; ++image)
+    ghosts.push_back(boundary_.ghost_rule(scene_, field, boxes_of(images, image)));
+  std::vector<AffineRule> walls;
+  for (const WallSet::Member& wall : neighbourhood_.walls().members()) {
+    const AffineRule own = boundary_.wall_rule(scene_, field, wall.particle);
+    walls.push_back(wall.image == WallSet::no_image ? own : ghosts[static_cast<std::size_t>(wall.image)].after(own));
+  }
+  return {{ghosts, backend_.memory()}, {walls, backend_.memory()}};
+}
+
+template <class Real>
+void BoundaryValues::refresh_ghosts(Field& field) {
+  const GhostView ghosts = neighbourhood_.ghost_view();
+  if (ghosts.count == 0) return;
+  backend_.loops<Real>().refresh(ghosts, rules_of(field).ghosts.view(), field.view<Real>(), field.components());
+}
+
+template <class Real, int Dim>
+void BoundaryValues::refresh_walls(Field& field) {
+  const sph::MirrorPoints<Dim> points = neighbourhood_.mirrors<Dim>();
+  if (weights_version_ != neighbourhood_.version()) {
+    Neighbours<Real, Dim> neighbours{};
+    neighbourhood_.fill(neighbours);
+    weights_.resize(static_cast<std::size_t>(points.block_begin[points.count]) * NeighbourBlock::width<Real>);
+    sph::find_mirror_weights<Real, Dim>(neighbours, points, kernel_, weights_.data());
+    weights_version_ = neighbourhood_.version();
+  }
+  sph::refresh_walls<Real, Dim>(points, weights_.data(), rules_of(field).walls.view(), field.view<Real>(),
+                                field.components(), neighbourhood_.wall_view().first);
+}
+
+}  // namespace mesogen

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "domain/neighbourhood.hpp"
+#include "field/field.hpp"
+#include "ghosts/rule_table.hpp"
+#include "mesogen/plugin/boundary.hpp"
+#include "mesogen/sph/kernel_function.hpp"
+
+namespace mesogen {
+
+/// What fields are at ghosts and at particles of walls, by the rules of the boundary.
+///
+/// A ghost takes the value of its source. A wall particle takes that at its mirror point, interpolated from particles
+/// and ghosts with weights that depend on positions alone: found once for all fields, whenever particles have moved.
+class MESOGEN_EXPORT BoundaryValues {
+ public:
+  BoundaryValues(const Scene& scene, const Boundary& boundary, const Backend& backend,
+                 const Neighbourhood& neighbourhood, const sph::SmoothingKernel& kernel)
+      : scene_(scene), boundary_(boundary), backend_(backend), neighbourhood_(neighbourhood), kernel_(kernel) {}
+
+  [[nodiscard]] bool up_to_date(const Field& field) const;
+  void refresh(Field& field);
+
+ private:
+  [[nodiscard]] std::uint64_t positions() const;
+  struct Rules {
+    RuleTable ghosts;
+    RuleTable walls;
+  };
+  const Rules& rules_of(const Field& field);
+  [[nodiscard]] Rules ask(const FieldKind& field) const;
+  template <class Real>
+  void refresh_ghosts(Field& field);
+  template <class Real, int Dim>
+  void refresh_walls(Field& field);
+
+  const Scene& scene_;
+  const Boundary& boundary_;
+  const Backend& backend_;
+  const Neighbourhood& neighbourhood_;
+  const sph::SmoothingKernel& kernel_;
+  std::map<std::string, Rules, std::less<>> rules_;  // by field
+  std::vector<double> weights_;                      // see sph/mirror_values.hpp
+  std::uint64_t weights_version_ = 0;                // of the neighbourhood that they belong to
+};
+
+}  // namespace mesogen

@@ -1,0 +1,82 @@
+#include "ghosts/wall_set.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+#include "ghosts/images.hpp"
+
+namespace mesogen {
+
+WallSet::WallSet(const Scene& scene, const Boundary& boundary, const CellGrid& grid, const Images& images, double reach,
+                 exec::Memory& memory)
+    : position_(exec::three<double>(memory)),
+      origin_(exec::three<double>(memory)),
+      cell_begin_(memory),
+      cell_end_(memory) {
+  const std::vector<WallParticle> given = boundary.wall_particles(scene, reach);
+  std::vector<std::array<double, 3>> position;
+  std::vector<CellGrid::Cell> cell;
+  const auto add = [&](const WallParticle& particle, int image, const std::array<double, 3>& offset) {
+    std::array<double, 3> at{};
+    CellGrid::Cell in{};
+    for (int d = 0; d < scene.dimension; ++d) {
+      const auto axis = static_cast<std::size_t>(d);
+      at[axis] = particle.position[axis] + offset[axis];
+      int boxes = image == no_image ? 0 : images.boxes[image][d];
+      // A face at which the box ends belongs to the wall.
+      if (!boundary.periodic(d)) boxes = at[axis] <= 0.0 ? -1 : at[axis] >= scene.box[axis] ? 1 : 0;
+      in[axis] = grid.beside(d, at[axis], boxes);
+    }
+    members_.push_back({particle, image});
+    position.push_back(at);
+    cell.push_back(in);
+  };
+  std::array<std::vector<double>, 3> coordinates;
+  for (const WallParticle& particle : given)
+    for (std::size_t d = 0; d < 3; ++d) coordinates[d].push_back(particle.position[d]);
+  const double* const points[3] = {coordinates[0].data(), coordinates[1].data(), coordinates[2].data()};
+  const ImageSearch search = image_search(scene, images, points, reach);
+  for (std::size_t n = 0; n < given.size(); ++n) {
+    add(given[n], no_image, {});
+    for (int image = 0; image < images.count; ++image) {
+      double offset[3] = {};
+      if (search.sees(image, static_cast<Index>(n), offset)) add(given[n], image, {offset[0], offset[1], offset[2]});
+    }
+  }
+  if (!members_.empty()) store(grid, position, cell, scene.particle_count);
+}
+
+// By cell, and as they came within a cell.
+void WallSet::store(const CellGrid& grid, const std::vector<std::array<double, 3>>& position,
+                    const std::vector<CellGrid::Cell>& cell, Index first) {
+  std::vector<std::size_t> order(members_.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::stable_sort(order, {}, [&](std::size_t n) { return grid.padded_index(cell[n]); });
+  const std::vector<Member> unordered = members_;
+  std::vector<Index> begin(static_cast<std::size_t>(grid.padded_count()) + 1, 0);
+  for (std::size_t n = 0; n < order.size(); ++n) {
+    members_[n] = unordered[order[n]];
+    const CellGrid::Cell& in = cell[order[n]];
+    ++begin[static_cast<std::size_t>(grid.padded_index(in)) + 1];
+    for (int d = 0; d < grid.dimension(); ++d) {
+      const auto axis = static_cast<std::size_t>(d);
+      position_[axis].push_back(position[order[n]][axis]);
+      origin_[axis].push_back(grid.tile_origin(d, in[axis]));
+    }
+  }
+  begin.front() = first;
+  std::partial_sum(begin.begin(), begin.end(), begin.begin());
+  cell_begin_.assign(begin.begin(), begin.end() - 1);
+  cell_end_.assign(begin.begin() + 1, begin.end());
+}
+
+WallView WallSet::view(Index first) const {
+  WallView view{first, count(), {}, {}};
+  for (int d = 0; d < 3; ++d) {
+    view.position[d] = position_[d].data();
+    view.origin[d] = origin_[d].data();
+  }
+  return view;
+}
+
+}  // namespace mesogen

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "domain/cell_grid.hpp"
+#include "exec/memory.hpp"
+#include "ghosts/views.hpp"
+#include "mesogen/export.hpp"
+#include "mesogen/plugin/boundary.hpp"
+#include "mesogen/plugin/scene.hpp"
+
+namespace mesogen {
+
+/// The particles of all walls and their images beyond periodic faces, by cell: made once, for they never move.
+class MESOGEN_EXPORT WallSet {
+ public:
+  /// `reach`: how far particles of the fluid look, m.
+  WallSet(const Scene& scene, const Boundary& boundary, const CellGrid& grid, const Images& images, double reach,
+          exec::Memory& memory);
+
+  static constexpr int no_image = -1;
+  struct Member {
+    WallParticle particle;  ///< as the boundary gave it, also where this is an image of it
+    int image = no_image;   ///< number among Images
+  };
+
+  [[nodiscard]] Index count() const { return static_cast<Index>(members_.size()); }
+  /// In the order of storage.
+  [[nodiscard]] const std::vector<Member>& members() const { return members_; }
+  /// `first`: the place of the first in storage.
+  [[nodiscard]] WallView view(Index first) const;
+  /// By padded cell, as places in storage; null where there are no walls. See Neighbours.
+  [[nodiscard]] const Index* cell_begin() const { return count() == 0 ? nullptr : cell_begin_.data(); }
+  [[nodiscard]] const Index* cell_end() const { return count() == 0 ? nullptr : cell_end_.data(); }
+
+ private:
+  void store(const CellGrid& grid, const std::vector<std::array<double, 3>>& position,
+             const std::vector<CellGrid::Cell>& cell, Index first);
+
+  std::vector<Member> members_;
+  std::array<exec::Array<double>, 3> position_;
+  std::array<exec::Array<double>, 3> origin_;  // of the tiles of their cells
+  exec::Array<Index> cell_begin_;
+  exec::Array<Index> cell_end_;
+};
+
+}  // namespace mesogen

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <array>
+#include <span>
+
+#include "mesogen/field/kind.hpp"
+
+namespace mesogen {
+
+/// How a field goes on at a ghost or at a particle of a wall: f' = A f + b, component by component, where f is the
+/// value of the ghost's source, or the fluid's value at the mirror point of the wall particle.
+class AffineRule {
+ public:
+  /// The largest number of components that a field can have: a matrix in 3D.
+  static constexpr int most = 9;
+
+  /// The same value: f' = f. Behind a wall this means that the field has no slope there.
+  explicit AffineRule(const FieldKind& field) : AffineRule(field.components()) {}
+  /// Holds the field at a value half way between the mirror point and the wall particle, which is where the wall is:
+  /// f' = 2 value - f. `value`: at least as many numbers as the field has components.
+  static AffineRule held_at(const FieldKind& field, std::span<const double> value) {
+    AffineRule rule(field);
+    for (int c = 0; c < rule.components_; ++c) {
+      rule.matrix(c, c) = -1.0;
+      rule.summand(c) = 2.0 * value[static_cast<std::size_t>(c)];
+    }
+    return rule;
+  }
+  /// The mirror image of a vector: its part along the normal turns round, v' = v - 2 (v . n) n.
+  static AffineRule reflected(const FieldKind& vector, const std::array<double, 3>& normal) {
+    AffineRule rule(vector);
+    for (int r = 0; r < rule.components_; ++r)
+      for (int c = 0; c < rule.components_; ++c)
+        rule.matrix(r, c) -= 2.0 * normal[static_cast<std::size_t>(r)] * normal[static_cast<std::size_t>(c)];
+    return rule;
+  }
+
+  [[nodiscard]] int components() const { return components_; }
+  [[nodiscard]] double matrix(int row, int column) const { return matrix_[place(row, column)]; }
+  [[nodiscard]] double& matrix(int row, int column) { return matrix_[place(row, column)]; }
+  [[nodiscard]] double summand(int component) const { return summand_[static_cast<std::size_t>(component)]; }
+  [[nodiscard]] double& summand(int component) { return summand_[static_cast<std::size_t>(component)]; }
+
+  /// The rule that does first `first`, then this one; both are for the same field.
+  [[nodiscard]] AffineRule after(const AffineRule& first) const {
+    AffineRule both(components_);
+    for (int r = 0; r < components_; ++r) {
+      both.summand(r) = summand(r);
+      for (int c = 0; c < components_; ++c) {
+        both.summand(r) += matrix(r, c) * first.summand(c);
+        both.matrix(r, c) = 0.0;
+        for (int k = 0; k < components_; ++k) both.matrix(r, c) += matrix(r, k) * first.matrix(k, c);
+      }
+    }
+    return both;
+  }
+
+ private:
+  explicit AffineRule(int components) : components_(components) {
+    for (int c = 0; c < components; ++c) matrix(c, c) = 1.0;
+  }
+  [[nodiscard]] std::size_t place(int row, int column) const {
+    return static_cast<std::size_t>(row * components_ + column);
+  }
+
+  int components_;
+  std::array<double, most * most> matrix_{};
+  std::array<double, most> summand_{};
+};
+
+}  // namespace mesogen

@@ -1,0 +1,228 @@
+#include "sph/mirror_values.hpp"
+
+// On the host alone: what it reads and writes is shared with a device.
+#ifndef __CUDACC__
+
+#include <array>
+
+#include "mesogen/exec/for_each.hpp"
+#include "mesogen/sph/small_matrix.hpp"
+
+namespace mesogen::sph {
+
+namespace {
+
+using Lane = exec::Pack<double>;
+
+/// Of a block, in double. Lanes past its end hold numbers that count for nothing.
+template <class Real>
+struct Doubles {
+  static constexpr int width = NeighbourBlock::width<Real>;
+  alignas(64) double value[width];
+
+  [[gnu::always_inline]] Lane operator[](int lane) const {
+    Lane pack;
+    exec::load(value + lane, pack);
+    return pack;
+  }
+};
+
+/// Solves A x = b for a symmetric matrix (upper triangle); false where it is singular, but for rounding.
+template <int Dim>
+bool solve(const double* upper, const double (&b)[Dim], double (&x)[Dim]) {
+  // Below this part of the trace a pivot is rounding: the points lie on a line.
+  constexpr double degenerate = 1e-8;
+  double least = 0.0;
+  for (int d = 0; d < Dim; ++d) least += degenerate * upper[symmetric_index<Dim>(d, d)];
+  double lower[Dim][Dim];  // A = L D L^T
+  double pivot[Dim];
+  for (int c = 0; c < Dim; ++c) {
+    pivot[c] = upper[symmetric_index<Dim>(c, c)];
+    for (int k = 0; k < c; ++k) pivot[c] -= lower[c][k] * lower[c][k] * pivot[k];
+    if (!(pivot[c] > least)) return false;
+    for (int r = c + 1; r < Dim; ++r) {
+      lower[r][c] = upper[symmetric_index<Dim>(r, c)];
+      for (int k = 0; k < c; ++k) lower[r][c] -= lower[r][k] * lower[c][k] * pivot[k];
+      lower[r][c] /= pivot[c];
+    }
+  }
+  for (int r = 0; r < Dim; ++r) {
+    x[r] = b[r];
+    for (int k = 0; k < r; ++k) x[r] -= lower[r][k] * x[k];
+  }
+  for (int r = Dim - 1; r >= 0; --r) {
+    x[r] /= pivot[r];
+    for (int k = r + 1; k < Dim; ++k) x[r] -= lower[k][r] * x[k];
+  }
+  return true;
+}
+
+/// A linear function of the way d from the point to a particle, in smoothing lengths: weight = W (constant + slope .
+/// d).
+template <int Dim>
+struct Linear {
+  double constant = 0.0;
+  double slope[Dim] = {};
+};
+
+/// From the moments of the particles around a point: sum of W, of W d, of W dd (upper triangle).
+template <int Dim>
+Linear<Dim> fitted(const double* moment) {
+  Linear<Dim> weight;
+  const double sum = moment[0];
+  if (!(sum > 0.0)) return weight;
+  weight.constant = 1.0 / sum;
+  double centre[Dim];
+  for (int d = 0; d < Dim; ++d) centre[d] = moment[1 + d] / sum;
+  double spread[symmetric_components<Dim>];  // of the particles about their centre
+  for (int a = 0; a < Dim; ++a)
+    for (int b = a; b < Dim; ++b) {
+      const int n = symmetric_index<Dim>(a, b);
+      spread[n] = moment[1 + Dim + n] - sum * centre[a] * centre[b];
+    }
+  double slope[Dim];
+  if (!solve<Dim>(spread, centre, slope)) return weight;
+  for (int d = 0; d < Dim; ++d) {
+    weight.slope[d] = -slope[d];
+    weight.constant += slope[d] * centre[d];
+  }
+  return weight;
+}
+
+template <class Real, int Dim, class Kernel>
+struct WeightLoop {
+  static constexpr int width = NeighbourBlock::width<Real>;
+  static constexpr int moments = 1 + Dim + symmetric_components<Dim>;
+  using Ways = std::array<Doubles<Real>, Dim>;
+
+  Neighbours<Real, Dim> neighbours;
+  MirrorPoints<Dim> points;
+  Kernel kernel;
+  double length;             // h
+  double beyond[2 * width];  // 0, then what is farther than the support, in the square of h
+  double* weight;
+
+  void operator()(Index n) const {
+    Lane sums[moments] = {};
+    Ways way;
+    visit(
+        n, way, [&](const NeighbourBlock& block, int lane, double* to) __attribute__((always_inline)) {
+          Lane square;
+          exec::load(beyond + width - block.lanes + lane, square);
+          for (int d = 0; d < Dim; ++d) square = square + way[d][lane] * way[d][lane];
+          const Lane value = kernel.value(exec::square_root(square) * length);
+          exec::store(value, to);
+          sums[0] = sums[0] + value;
+          for (int a = 0; a < Dim; ++a) {
+            const Lane first = value * way[a][lane];
+            sums[1 + a] = sums[1 + a] + first;
+            for (int b = a; b < Dim; ++b) {
+              Lane& sum = sums[1 + Dim + symmetric_index<Dim>(a, b)];
+              sum = sum + first * way[b][lane];
+            }
+          }
+        });
+    double moment[moments];
+    exec::sum_lanes(sums, moment);
+    const Linear<Dim> factor = fitted<Dim>(moment);
+    visit(
+        n, way, [&](const NeighbourBlock&, int lane, double* to) __attribute__((always_inline)) {
+          Lane value;
+          exec::load(to, value);
+          Lane linear(factor.constant);
+          for (int d = 0; d < Dim; ++d) linear = linear + way[d][lane] * factor.slope[d];
+          exec::store(value * linear, to);
+        });
+  }
+
+ private:
+  /// action(block, lane, weights from there on) for each pack of each block around a point; `way`: from the point to
+  /// the particles of the block, in smoothing lengths.
+  template <class Action>
+  [[gnu::always_inline]] void visit(Index n, Ways& way, const Action& action) const {
+    const double per_length = 1.0 / length;
+    for (std::int64_t at = points.block_begin[n]; at < points.block_begin[n + 1]; ++at) {
+      const NeighbourBlock& block = points.block[at];
+      for (int d = 0; d < Dim; ++d) {
+        const double origin = points.offset[d][NeighbourBlock::most_shift + block.shift[d]] - points.local[d][n];
+        const Real* const local = neighbours.local[d] + block.first;
+        for (int lane = 0; lane < width; ++lane)
+          way[d].value[lane] = (static_cast<double>(local[lane]) + origin) * per_length;
+      }
+      for (int lane = 0; lane < block.lanes; lane += int(Lane::size())) action(block, lane, weight + at * width + lane);
+    }
+  }
+};
+
+template <class Real, int Dim>
+struct ValueLoop {
+  static constexpr int width = NeighbourBlock::width<Real>;
+
+  MirrorPoints<Dim> points;
+  const double* weight;
+  RuleView rules;
+  FieldView<Real> field;
+  int components;
+  Index first;
+
+  void operator()(Index n) const {
+    double value[AffineRule::most];  // only a field with rules has no more components
+    for (int c = 0; c < components; ++c) {
+      Lane sum(0.0);
+      for (std::int64_t at = points.block_begin[n]; at < points.block_begin[n + 1]; ++at) {
+        const NeighbourBlock& block = points.block[at];
+        const Real* const from = field.component(c) + block.first;
+        Doubles<Real> seen;
+        for (int lane = 0; lane < width; ++lane) seen.value[lane] = static_cast<double>(from[lane]);
+        for (int lane = 0; lane < block.lanes; lane += int(Lane::size())) {
+          Lane own;
+          exec::load(weight + at * width + lane, own);
+          sum = sum + own * seen[lane];
+        }
+      }
+      const double seen_from_wall = exec::stdx::reduce(sum);
+      if (rules) {
+        value[c] = seen_from_wall;
+      } else {
+        field(c, first + n) = static_cast<Real>(seen_from_wall);
+      }
+    }
+    if (!rules) return;
+    rules.apply(n, value);
+    for (int c = 0; c < components; ++c) field(c, first + n) = static_cast<Real>(value[c]);
+  }
+};
+
+}  // namespace
+
+template <class Real, int Dim>
+void find_mirror_weights(const Neighbours<Real, Dim>& neighbours, const MirrorPoints<Dim>& points,
+                         const SmoothingKernel& kernel, double* weight) {
+  with_kernel_function<double>(kernel, [&](const auto& function) {
+    using Loop = WeightLoop<Real, Dim, std::decay_t<decltype(function)>>;
+    Loop loop{neighbours, points, function, kernel.smoothing_length, {}, weight};
+    const double support = kernel.radius() / kernel.smoothing_length;
+    for (int lane = 0; lane < Loop::width; ++lane) loop.beyond[Loop::width + lane] = 4.0 * support * support;
+    exec::for_each({}, points.count, loop);
+  });
+}
+
+template <class Real, int Dim>
+void refresh_walls(const MirrorPoints<Dim>& points, const double* weight, const RuleView& rules, FieldView<Real> field,
+                   int components, Index first) {
+  exec::for_each({}, points.count, ValueLoop<Real, Dim>{points, weight, rules, field, components, first});
+}
+
+#define MESOGEN_INSTANTIATE(REAL, DIM)                                                                              \
+  template void find_mirror_weights(const Neighbours<REAL, DIM>&, const MirrorPoints<DIM>&, const SmoothingKernel&, \
+                                    double*);                                                                       \
+  template void refresh_walls(const MirrorPoints<DIM>&, const double*, const RuleView&, FieldView<REAL>, int, Index);
+MESOGEN_INSTANTIATE(float, 2)
+MESOGEN_INSTANTIATE(double, 2)
+MESOGEN_INSTANTIATE(float, 3)
+MESOGEN_INSTANTIATE(double, 3)
+#undef MESOGEN_INSTANTIATE
+
+}  // namespace mesogen::sph
+
+#endif

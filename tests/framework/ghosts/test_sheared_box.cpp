@@ -1,0 +1,125 @@
+// A box whose images above and below are moved along x and flow at another velocity (Lees and Edwards 1972): the
+// boundary says by how much, the framework makes the ghosts.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include "particle_scene.hpp"
+
+namespace {
+
+using namespace mesogen;
+using namespace mesogen::test;
+
+constexpr double jump = 3.0;
+constexpr double moved = 7.3;
+
+class Sheared final : public Boundary {
+ public:
+  explicit Sheared(Continuation along_x) : along_x_(along_x) {}
+  mutable int asked = 0;
+
+  [[nodiscard]] Continuation continuation(int axis) const override {
+    return axis == 0 ? along_x_ : Continuation::ghosts;
+  }
+  [[nodiscard]] std::array<double, 3> shear(const Scene&, const std::array<int, 3>& boxes) const override {
+    return {boxes[1] * moved, 0.0, 0.0};
+  }
+  [[nodiscard]] AffineRule ghost_rule(const Scene&, const FieldKind& field,
+                                      const std::array<int, 3>& boxes) const override {
+    ++asked;
+    AffineRule rule(field);
+    if (field.role == FieldRole::velocity) rule.summand(0) = boxes[1] * jump;
+    return rule;
+  }
+
+ private:
+  Continuation along_x_;
+};
+
+ParticleScene::Options box() {
+  ParticleScene::Options options;
+  options.box = {12.0, 9.0, 0.0};
+  options.spacing = 1.0;
+  return options;
+}
+
+class ShearedBox : public testing::TestWithParam<Continuation> {};
+
+TEST_P(ShearedBox, FindsEveryPairOnce) {
+  ParticleScene scene(box(), jittered(12, 9, 1.0, 0.4), std::make_unique<Sheared>(GetParam()));
+  World& world = scene.world();
+  using Pair = std::tuple<std::int64_t, std::int64_t, std::int64_t, std::int64_t>;
+  std::vector<Pair> found;
+  std::vector<Pair> expected;
+  const auto note = [&](std::vector<Pair>& pairs, Index i, Index j, double x, double y) {
+    // To the middle of a part of 1e-6: rounding leaves it where it is.
+    if (std::hypot(x, y) < world.scene.support)
+      pairs.emplace_back(world.particles.id[i], world.particles.id[j], std::llround(x * 1e6), std::llround(y * 1e6));
+  };
+  Neighbours<double, 2> grid{};
+  world.neighbourhood.fill(grid);
+  const GhostView ghosts = world.neighbourhood.ghost_view();
+  for (Index i = 0; i < world.particles.count(); ++i) {
+    for (auto n = grid.block_begin[i]; n < grid.block_begin[i + 1]; ++n) {
+      const NeighbourBlock& block = grid.block[n];
+      for (Index j = block.first; j < block.first + block.lanes; ++j) {
+        double way[2];
+        for (int d = 0; d < 2; ++d)
+          way[d] = grid.local[d][i] - grid.offset[d][NeighbourBlock::most_shift + block.shift[d]] - grid.local[d][j];
+        note(found, i, j < ghosts.first ? j : ghosts.source[j - ghosts.first], way[0], way[1]);
+      }
+    }
+    const auto& at = world.particles.position;
+    for (Index j = 0; j < world.particles.count(); ++j)
+      for (int up = -1; up <= 1; ++up)
+        for (int across = -2; across <= 2; ++across)
+          note(expected, i, j, at[0][i] - at[0][j] - 12.0 * across - moved * up, at[1][i] - at[1][j] - 9.0 * up);
+  }
+  std::ranges::sort(found);
+  std::ranges::sort(expected);
+  EXPECT_EQ(found, expected);
+}
+
+TEST_P(ShearedBox, ChangesTheVelocityAlone) {
+  auto boundary = std::make_unique<Sheared>(GetParam());
+  const Sheared& sheared = *boundary;
+  ParticleScene scene(box(), lattice(12, 9, 1.0), std::move(boundary));
+  World& world = scene.world();
+  Field& velocity = world.add_field("velocity", 2, false);
+  velocity.kind = FieldKind{Rank::vector, FieldRole::velocity, 2};
+  Field& shift = world.add_field("shift", 2, false);
+  shift.kind = FieldKind{Rank::vector, FieldRole::derived, 2};
+  world.sort_anew();
+  const auto refresh = [&] {
+    for (Field* const field : {&velocity, &shift}) {
+      for (Index i = 0; i < world.particles.count(); ++i) {
+        field->set(0, i, i);
+        field->set(1, i, -i);
+      }
+      ++field->version;
+      world.refresh_boundary(*field);
+    }
+  };
+  refresh();
+  const GhostView ghosts = world.neighbourhood.ghost_view();
+  ASSERT_GT(ghosts.count, 2 * 12 * 4);
+  for (Index n = 0; n < ghosts.count; ++n) {
+    const double source = ghosts.source[n];
+    const double up = std::round(ghosts.offset[1][n] / 9.0);
+    EXPECT_EQ(velocity.value(0, ghosts.first + n), source + up * jump);
+    EXPECT_EQ(velocity.value(1, ghosts.first + n), -source);
+    EXPECT_EQ(shift.value(0, ghosts.first + n), source);
+  }
+  const int asked = sheared.asked;
+  refresh();
+  EXPECT_EQ(sheared.asked, asked) << "once for each field and image";
+}
+
+INSTANTIATE_TEST_SUITE_P(AlongX, ShearedBox, testing::Values(Continuation::wrapped, Continuation::ghosts),
+                         [](const auto& set) { return set.param == Continuation::wrapped ? "wrapped" : "ghosts"; });
+
+}  // namespace
