@@ -13,6 +13,11 @@ FieldDeclaration& InitialPlan::sets(std::string_view field, Rank rank) {
   return declaration;
 }
 
+FieldDeclaration& InitialPlan::sets_velocity(std::string_view field) {
+  velocity_ = field;
+  return sets(field, Rank::vector);
+}
+
 InitialState::InitialState(const Scene& scene, const InitialPlan& plan, const Positions& position)
     : scene_(scene), position_(position) {
   for (const FieldDeclaration& field : plan.fields())

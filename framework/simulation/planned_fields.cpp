@@ -4,6 +4,18 @@
 
 namespace mesogen {
 
+namespace {
+
+/// Of the flow plugin, or else of an initial condition; empty if there is none.
+std::string velocity_of_fluid(const Setup& setup) {
+  std::string velocity = setup.graph->transport().velocity;
+  for (const auto& member : setup.initial)
+    if (velocity.empty()) velocity = member.plan.velocity();
+  return velocity;
+}
+
+}  // namespace
+
 std::vector<PlannedField> planned_fields(const Setup& setup) {
   std::set<std::string> used;
   const auto use = [&](const std::vector<std::string>& names) { used.insert(names.begin(), names.end()); };
@@ -18,9 +30,7 @@ std::vector<PlannedField> planned_fields(const Setup& setup) {
   // Where all who add to a field are idle it stays zero.
   for (const auto& observer : setup.observers) use(observer.fields);
   use(setup.output_fields);
-  // A flow that the case gives, and no plugin makes, is one too.
-  const std::string& flow = setup.graph->transport().velocity;
-  const std::string velocity = flow.empty() && setup.source.velocity.given ? "velocity" : flow;
+  const std::string velocity = velocity_of_fluid(setup);
   std::vector<PlannedField> planned;
   for (const auto& [name, entry] : setup.catalogue.all()) {
     const bool integrated = has_rate(entry.declaration.advance);

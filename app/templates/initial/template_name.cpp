@@ -17,8 +17,8 @@ class TemplateNamePlugin final : public Initial {
     list.number("speed", speed_).unit("m/s").required().doc("U: largest speed");
   }
 
-  // All fields that it sets. Others: order_tensor, colour, and any field of a physics plugin.
-  void plan(InitialPlan& plan) const override { plan.sets("velocity", Rank::vector).unit("m/s").doc("u").shown(); }
+  // All fields that it sets. Others by sets("order_tensor", Rank::order_tensor): any field that the case has.
+  void plan(InitialPlan& plan) const override { plan.sets_velocity("velocity").unit("m/s").doc("u").shown(); }
 
   // Particle by particle. Random numbers: exec::random_uniform(seed, particle, stream), from mesogen/exec/random.hpp.
   void set(InitialState& state) const override {

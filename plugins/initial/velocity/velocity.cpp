@@ -29,7 +29,7 @@ class Velocity final : public Initial {
         .only_with("type", {"modes"});
   }
 
-  void plan(InitialPlan& plan) const override { plan.sets("velocity", Rank::vector).unit("m/s").doc("u").shown(); }
+  void plan(InitialPlan& plan) const override { plan.sets_velocity("velocity").unit("m/s").doc("u").shown(); }
 
   void publish(Scene& scene) override { waves_ = box_waves("modes", modes_, scene); }
 

@@ -22,14 +22,20 @@ class MESOGEN_EXPORT InitialPlan {
  public:
   /// A field that it sets. If a physics plugin of the case declares the field too, both must give it the same rank.
   FieldDeclaration& sets(std::string_view field, Rank rank);
+  /// The same for the velocity of the fluid, which walls hold: a boundary treats the field so also in a case without a
+  /// flow plugin.
+  FieldDeclaration& sets_velocity(std::string_view field);
   /// What it sets means something only where particles move with the fluid; a case in which they stay is refused.
   void needs_moving_particles() { needs_motion_ = true; }
 
   [[nodiscard]] const std::deque<FieldDeclaration>& fields() const { return fields_; }
   [[nodiscard]] bool moving_particles_needed() const { return needs_motion_; }
+  /// The field of sets_velocity; empty if there is none.
+  [[nodiscard]] const std::string& velocity() const { return velocity_; }
 
  private:
   std::deque<FieldDeclaration> fields_;
+  std::string velocity_;
   bool needs_motion_ = false;
 };
 
