@@ -14,6 +14,7 @@
 #include <memory>
 #include <optional>
 
+#include "memory.hpp"
 #include "mesh_flow.hpp"
 #include "mesogen/diagnostics/error.hpp"
 #include "mesogen/nematics/numbers.hpp"
@@ -80,7 +81,7 @@ class Incompressible final : public Physics {
 
   void declare(const Scene& scene, PassList& list) override {
     choose(scene);
-    list.memory(MeshFlow<Real, Dim>::memory(grid_, scene.particle_count));
+    list.memory(incompressible::mesh_flow_memory(grid_, scene.particle_count));
     list.numbers(nematics::add_flow_numbers);
     // Of an active flow the rate at which it shears, and at which disturbances of it grow.
     if (const double stress = scene.scales.stress; stress > 0.0)

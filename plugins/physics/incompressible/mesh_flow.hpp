@@ -7,8 +7,10 @@
 #include <span>
 #include <vector>
 
+#include "limited_diffusion.hpp"
 #include "mesogen/plugin/context.hpp"
 #include "momentum.hpp"
+#include "velocity_gradient.hpp"
 
 namespace mesogen::incompressible {
 
@@ -16,18 +18,6 @@ struct Numerics {
   int corrections = 0;  ///< of a fit of modes to particles, see mesh::ParticleSpectrum::fit
   double shift = 0.0;   ///< how fast unevenness is taken away, in mean velocity gradients
 };
-
-/// Largest wave number that the mesh carries in every direction, 1/m.
-template <int Dim>
-double smallest_cutoff(const mesh::ParticleSpectrum<Dim>& spectrum) {
-  double least = spectrum.cutoff(0);
-  for (int d = 1; d < Dim; ++d) least = std::min(least, spectrum.cutoff(d));
-  return least;
-}
-
-/// A diffusion that decays with z a step is slowed down to z limited(z): by no more than z^2 of itself where steps are
-/// short, so second order in time, and never beyond what an explicit step bears (0.67, where 1 is stable).
-inline double limited(double z) { return (1.0 + 0.5 * z) / (1.0 + 0.5 * z + z * z); }
 
 template <class Real, int Dim>
 class MeshFlow {
@@ -49,14 +39,6 @@ class MeshFlow {
   /// Root mean square of the velocity's gradient at the midpoint of the step, 1/s.
   [[nodiscard]] double mean_gradient() const { return mean_gradient_; }
 
-  /// What all of it takes, bytes: modes (complex, half as many as points), fields on the mesh, particles on it.
-  static double memory(const mesh::Grid<Dim>& grid, Index particles) {
-    const auto points = static_cast<double>(grid.point_count());
-    constexpr double modes = 3 * Dim + 2 * Dim + (gradients + Dim + 1) + Dim + 1;
-    constexpr double fields = 1 + (gradients + Dim + 1) + 2 * (Dim + 1) + (gradients + Dim + 1) + 0.5;
-    return 8.0 * points * (modes + fields) + static_cast<double>(particles) * (28.0 + 40.0 * Dim);
-  }
-
   /// Where the mesh begins at the start of the step, m: it goes with the mean velocity, as a particle would, so that
   /// particles cross it only as fast as they move through the fluid around them. For checkpoints.
   [[nodiscard]] std::span<double> origin() { return origin_; }
@@ -73,7 +55,7 @@ class MeshFlow {
       momentum_.start(context.time(), midpoint);
     }
     momentum_.velocity_at(context.time(), midpoint);
-    find_mean_gradient();
+    mean_gradient_ = incompressible::mean_gradient(spectrum_.grid(), midpoint_, row_sums_);
     const auto velocity = context.write<Real>("velocity");
     const auto gradient = context.write<Real>("velocity_gradient");
     const auto density = context.write<Real>("density");
@@ -83,7 +65,7 @@ class MeshFlow {
     differentiate(midpoint, modes.data() + Dim, Dim);
     spectrum_.template evaluate<Dim + gradients>(modes, [&](Index i, const double* there) {
       for (int d = 0; d < Dim; ++d) velocity(d, i) = Real(there[d]);
-      put_gradient(gradient, i, there + Dim);
+      put_gradient<Dim>(gradient, i, there + Dim);
       density(i) = rho;
     });
   }
@@ -145,8 +127,8 @@ class MeshFlow {
     const auto gradient = context.write<Real>("velocity_gradient");
     std::array<Complex*, gradients> modes{};
     differentiate(velocity, modes.data(), 0);
-    spectrum_.template evaluate<gradients>(modes,
-                                           [&](Index i, const double* there) { put_gradient(gradient, i, there); });
+    spectrum_.template evaluate<gradients>(
+        modes, [&](Index i, const double* there) { put_gradient<Dim>(gradient, i, there); });
   }
 
   /// Gradient and Laplacian of the order tensor. Of what the mesh does not carry the Laplacian is that of its shortest
@@ -214,8 +196,7 @@ class MeshFlow {
   }
 
  private:
-  // The last diagonal element of the velocity gradient follows from the others: there is no divergence.
-  static constexpr int gradients = Dim * Dim - 1;
+  static constexpr int gradients = gradient_elements<Dim>;
 
   void locate(const PassContext& context) {
     if (located_ == context.positions_version() && located_from_ == here_) return;
@@ -278,41 +259,6 @@ class MeshFlow {
       for (int c = 0; c < gradients; ++c) gradient[c][n] = Complex(0.0, k[c % Dim]) * velocity[c / Dim][n];
     });
   }
-  static void put_gradient(const FieldView<Real>& gradient, Index i, const double* there) {
-    double trace = 0.0;
-    for (int c = 0; c < gradients; ++c) {
-      gradient(c, i) = Real(there[c]);
-      if (c % Dim == c / Dim) trace += there[c];
-    }
-    gradient(gradients, i) = Real(-trace);
-  }
-
-  // Root of the mean square of the velocity's gradient, 1/s: added up in one order.
-  void find_mean_gradient() {
-    const auto& grid = spectrum_.grid();
-    const int in_row = grid.modes_in_row();
-    row_sums_.assign(static_cast<std::size_t>(grid.row_count()), 0.0);
-#pragma omp parallel for schedule(static) if (grid.mode_count() >= mesh::few)
-    for (int row = 0; row < grid.row_count(); ++row) {
-      std::array<int, Dim> at{};
-      grid.row_coordinates(row, at);
-      double across = 0.0;
-      for (int d = 1; d < Dim; ++d) across += std::pow(grid.wave_number(d, at[d]), 2);
-      double sum = 0.0;
-      for (int n = 0; n < in_row; ++n) {
-        const double square = across + std::pow(grid.wave_number(0, n), 2);
-        const auto mode =
-            static_cast<std::size_t>(row) * static_cast<std::size_t>(in_row) + static_cast<std::size_t>(n);
-        // Each stands for its conjugate too, which is not stored, but for those of n = 0.
-        for (int d = 0; d < Dim; ++d) sum += (n == 0 ? 1.0 : 2.0) * square * std::norm(midpoint_[d][mode]);
-      }
-      row_sums_[static_cast<std::size_t>(row)] = sum;
-    }
-    double total = 0.0;
-    for (const double sum : row_sums_) total += sum;
-    mean_gradient_ = std::sqrt(total);
-  }
-
   Complex* room(int n) {
     if (static_cast<int>(rooms_.size()) <= n) rooms_.resize(static_cast<std::size_t>(n) + 1);
     rooms_[static_cast<std::size_t>(n)].resize(spectrum_.mode_count());
