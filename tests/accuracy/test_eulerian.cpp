@@ -56,8 +56,8 @@ TEST(Eulerian, RefusesWhatFollowsParticles) {
     FAIL();
   } catch (const mesogen::Error& error) {
     EXPECT_NE(std::string(error.what())
-                  .find("in the Eulerian motion of 'physics.flow' particles stay where they are, so a colour would not "
-                        "move; remove it, or take motion = \"lagrangian\""),
+                  .find("in the Eulerian motion of 'physics.flow' particles stay where they are, so what it sets "
+                        "would not move; remove it, or take motion = \"lagrangian\""),
               std::string::npos)
         << error.what();
   }

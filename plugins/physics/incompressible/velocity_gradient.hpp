@@ -31,7 +31,7 @@ void put_gradient(const FieldView<Real>& gradient, Index i, const double* elemen
 /// Root of the mean square of the gradient of a velocity that is given by its modes, 1/s: added up in one order,
 /// whatever the number of threads. `row_sums` is room for a number a row of modes.
 template <int Dim>
-double mean_gradient(const mesh::Grid<Dim>& grid, const std::array<std::vector<Complex>, Dim>& velocity,
+double mean_gradient(const mesh::Grid<Dim>& grid, const std::array<std::vector<mesh::Complex>, Dim>& velocity,
                      std::vector<double>& row_sums) {
   const int in_row = grid.modes_in_row();
   row_sums.assign(static_cast<std::size_t>(grid.row_count()), 0.0);
