@@ -4,12 +4,13 @@
 
 #include "exec/memory.hpp"
 #include "ghosts/views.hpp"
+#include "mesogen/export.hpp"
 
 namespace mesogen {
 
 /// Rules of one field, stored as briefly as they allow: nothing where all values stay the same, two numbers per
 /// component where none mixes components.
-class RuleTable {
+class MESOGEN_EXPORT RuleTable {
  public:
   RuleTable(const std::vector<AffineRule>& rules, exec::Memory& memory);
 

@@ -27,12 +27,14 @@ bool is_finite(const std::array<double, 3>& at) {
 void check(const AffineRule& rule, const FieldKind& field) {
   const int components = field.components();
   if (rule.components() != components)
-    refuse(fmt::format("the rule for a {} has {} components instead of {}: make it with AffineRule(field)",
-                       to_string(field.rank), rule.components(), components));
+    refuse(
+        fmt::format("the rule for a field of rank {} has {} components instead of {}: make it with AffineRule(field)",
+                    to_string(field.rank), rule.components(), components));
   for (int r = 0; r < components; ++r) {
     bool finite = std::isfinite(rule.summand(r));
     for (int c = 0; c < components; ++c) finite = finite && std::isfinite(rule.matrix(r, c));
-    if (!finite) refuse(fmt::format("component {} of the rule for a {} is not finite", r, to_string(field.rank)));
+    if (!finite)
+      refuse(fmt::format("component {} of the rule for a field of rank {} is not finite", r, to_string(field.rank)));
   }
 }
 

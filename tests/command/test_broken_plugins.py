@@ -135,10 +135,10 @@ class Misbehaving(CommandTest):
             "ghost_rule": (1, 'plugin "ghost_rule", ghost_rule() failed: no such image'),
             # Found while the case is put together, when the distortion of the director at the walls is looked for.
             "wall_rule": (2, 'plugin "wall_rule", wall_rule() failed: no such field'),
-            "rule_of_another": (3, 'plugin "rule_of_another", wall_rule(): the rule for a order tensor has 9 components '
-                                   "instead of 2: make it with AffineRule(field)"),
-            "rule_not_finite": (3, 'plugin "rule_not_finite", wall_rule(): component 0 of the rule for a order tensor is '
-                                   "not finite"),
+            "rule_of_another": (3, 'plugin "rule_of_another", wall_rule(): the rule for a field of rank order tensor has '
+                                   "9 components instead of 2: make it with AffineRule(field)"),
+            "rule_not_finite": (3, 'plugin "rule_not_finite", wall_rule(): component 0 of the rule for a field of rank '
+                                   "order tensor is not finite"),
         }
         for name, (code, text) in expected.items():
             with self.subTest(name):
