@@ -55,7 +55,7 @@ class MeshFlow {
       momentum_.start(context.time(), midpoint);
     }
     momentum_.velocity_at(context.time(), midpoint);
-    mean_gradient_ = incompressible::mean_gradient(spectrum_.grid(), midpoint_, row_sums_);
+    mean_gradient_ = incompressible::mean_gradient<Dim>(spectrum_.grid(), midpoint_, row_sums_);
     const auto velocity = context.write<Real>("velocity");
     const auto gradient = context.write<Real>("velocity_gradient");
     const auto density = context.write<Real>("density");
