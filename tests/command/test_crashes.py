@@ -106,7 +106,7 @@ class InARun(CrashTest):
                          rf'observers\.flow \(plugin "flow_statistics"\), sample\(\) {MOMENT}: plugin "crashing", '
                          r"keep_inside\(\)")
         self.assert_told(self.crashes("ghost_rule()", "run", case, "--output", "rule"),
-                         r'plugin "crashing", ghost_rule\(\)')
+                         rf'plugin "crashing", ghost_rule\(\) {MOMENT}')
 
     def test_resume_replay_and_rehearsal(self):
         case = self.write_case(WITH_OBSERVER)
