@@ -58,9 +58,10 @@ class SchemaBuilder {
   void put_initial(Json& properties) {
     for (const auto& plugin : plugins_) {
       if (plugin.kind != PluginKind::initial) continue;
-      Json schema = {{"description", plugin.summary}};
-      schema.update(table_schema(plugin.keys));
-      properties[plugin.name] = std::move(schema);
+      const std::string name = std::string(to_string(plugin.kind)) + "." + plugin.name;
+      definitions_[name] = table_schema(plugin.keys);
+      const Json reference = {{"$ref", "#/definitions/" + name}};
+      properties[plugin.name] = {{"description", plugin.summary}, {"allOf", Json::array({reference})}};
     }
   }
 

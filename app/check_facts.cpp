@@ -16,7 +16,7 @@ constexpr double most_particles = 2e7;
 // Where a run would write, if it is not told otherwise.
 double free_here() { return free_disk("output"); }
 
-/// Suggestion that the case does not take, such as a spacing that does not fit its box, is not given.
+/// Advice that the case does not take, such as a spacing that does not fit its box, is not given.
 std::vector<AdviceFacts> follow(const Setup& setup, const StepForecast& steps, double program,
                                 const SetUpWith& set_up_with) {
   std::vector<AdviceFacts> all;

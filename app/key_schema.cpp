@@ -86,6 +86,8 @@ Json conditions(const std::vector<DeclaredKey>& keys) {
     if (parameter.condition_key.empty()) continue;
     const auto other =
         std::ranges::find_if(keys, [&](const DeclaredKey& k) { return k.parameter.name == parameter.condition_key; });
+    // A key in a table of its own, "bulk.A", cannot be asked for from here.
+    if (other == keys.end() || parameter.name.find('.') != std::string::npos) continue;
     const Json there = {{"required", Json::array({parameter.name})}};
     Json one = {{"if", condition_schema(parameter, *other)}, {"else", {{"not", there}}}};
     if (parameter.is_required) one["then"] = there;

@@ -50,6 +50,7 @@ void ask(PluginFacts& facts, Physics& physics, const PluginRegistry& registry) {
   facts.fields.assign(list.fields().begin(), list.fields().end());
   facts.passes.assign(list.passes().begin(), list.passes().end());
   for (auto& pass : facts.passes) pass.body = nullptr;
+  for (auto& field : facts.fields) field.watch = nullptr;
   facts.transport = list.transport();
 }
 

@@ -1,7 +1,9 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <limits>
 #include <set>
+#include <tuple>
 
 #include "contract_run.hpp"
 #include "exec/cuda_library.hpp"
@@ -80,6 +82,25 @@ void check_physics(ContractRun& run) {
   run.check("it can be made in single and double precision", [&]() -> std::string {
     (void)run.registry().make_physics(run.name(), Precision::single_precision, 2);
     (void)run.registry().make_physics(run.name(), Precision::double_precision, 2);
+    return {};
+  });
+  run.check("what it publishes stays the same when it is asked again", [&]() -> std::string {
+    PluginHarness harness = run.harness();
+    Scene once = harness.scene();
+    harness.physics().publish(once);
+    Scene twice = once;
+    harness.physics().publish(twice);
+    for (const auto& [name, value] : twice.constants)
+      if (const double before = once.constant(name, std::numeric_limits<double>::quiet_NaN()); before != value)
+        return fmt::format("the constant '{}' is {:.9g}, then {:.9g}: publish() is called twice, so set it, do not add",
+                           name, before, value);
+    for (const auto& [what, before, after] :
+         {std::tuple("stress", once.scales.stress, twice.scales.stress),
+          std::tuple("passing stress", once.scales.passing_stress, twice.scales.passing_stress),
+          std::tuple("speed", once.scales.speed, twice.scales.speed)})
+      if (before != after)
+        return fmt::format("the {} is {:.9g}, then {:.9g}: publish() is called twice, so raise it by std::max", what,
+                           before, after);
     return {};
   });
   run.check("fields and passes are named and described", [&] { return declaration_problem(run.harness().passes()); });

@@ -1,6 +1,8 @@
 #include "forecast/advice.hpp"
 
 #include <cmath>
+#include <set>
+#include <string>
 
 #include "forecast/advice_rules.hpp"
 #include "initial/arrangement.hpp"
@@ -52,6 +54,9 @@ std::vector<SceneNumber> scene_numbers(const Setup& setup) {
   for (const auto& member : setup.physics)
     if (member.passes.numbers())
       call_plugin(member.type, "numbers", [&] { member.passes.numbers()(setup.scene, all); });
+  // Two plugins of a kind tell the same.
+  std::set<std::string> told;
+  std::erase_if(all, [&](const SceneNumber& number) { return !told.insert(number.name).second; });
   for (SceneNumber& number : all) number.unit = setup.source.units.text(number.unit);
   return all;
 }

@@ -38,12 +38,12 @@ struct FieldShape {
   bool operator==(const FieldShape&) const = default;
 };
 
-/// When a frame was taken.
 /// Is it the order tensor of a nematic, and not a rate, a stress or a gradient of one, which have units?
 inline bool has_director(const FieldShape& field) {
   return field.rank == Rank::order_tensor && field.components == 2 && field.unit == "1";
 }
 
+/// When a frame was taken.
 struct FrameStamp {
   std::int64_t step = 0;
   double time = 0.0;  ///< s

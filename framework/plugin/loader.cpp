@@ -42,7 +42,7 @@ std::string descriptor_problem(const PluginDescriptor& descriptor) {
     return fmt::format("it was built with {}, this Mesogen with {}; build it again with the same compiler",
                        descriptor.build_tag == nullptr ? "(unknown)" : descriptor.build_tag, MESOGEN_BUILD_TAG);
   if (descriptor.kind < PluginKind::kernel || descriptor.kind > PluginKind::initial)
-    return fmt::format("its kind is {}; kinds are 1 to 4", static_cast<int>(descriptor.kind));
+    return fmt::format("its kind is {}; kinds are 1 to 5", static_cast<int>(descriptor.kind));
   if (descriptor.name == nullptr || !is_name(descriptor.name))
     return fmt::format("its name \"{}\" is not made of small letters, digits and underscores",
                        descriptor.name == nullptr ? "" : descriptor.name);

@@ -10,8 +10,8 @@
 
 namespace mesogen {
 
-/// One call into a plugin: who is called, and what for. While a case is put together: `plugin "wcsph", passes()`; while
-/// it runs: `physics.flow (plugin "wcsph"), pass "continuity" at step 3, t = 0.02 s`.
+/// One call into a plugin: who is called, and what for. While a case is put together: `plugin "wcsph", declare()`;
+/// while it runs: `physics.flow (plugin "wcsph"), pass "continuity" at step 3, t = 0.02 s`.
 struct PluginCall {
   std::string_view plugin;             ///< its name, or its file while it is loaded
   std::string_view call;               ///< "sample()", "pass"

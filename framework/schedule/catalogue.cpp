@@ -19,20 +19,27 @@ void Catalogue::add(const FieldDeclaration& declaration, const std::string& owne
 }
 
 void Catalogue::add_initial(const FieldDeclaration& declaration, const std::string& owner) {
-  const auto at = entries_.find(declaration.name);
+  const std::string& name = declaration.name;
+  if (name == "position" || derived_name(name).kind != DerivedName::Kind::none)
+    throw Error(ExitCode::plugin_refused, "[" + owner + "] sets '" + name +
+                                              "', which the framework makes: an initial condition sets fields that a "
+                                              "plugin introduces");
+  const auto at = entries_.find(name);
   if (at == entries_.end()) {
-    entries_.emplace(declaration.name, Entry{declaration, owner, true});
+    entries_.emplace(name, Entry{declaration, owner, true, owner});
     return;
   }
   Entry& entry = at->second;
   if (entry.initial)
-    throw Error(ExitCode::bad_case, "field '" + declaration.name + "' is set by more than one initial condition: [" +
-                                        owner + "] is one too many");
+    throw Error(ExitCode::bad_case,
+                "field '" + name + "' is set by [" + entry.set_by + "]" +
+                    (entry.set_by == owner ? " twice" : " and by [" + owner + "]: remove one of the two sections"));
   if (entry.declaration.rank != declaration.rank)
-    throw Error(ExitCode::bad_case, "field '" + declaration.name + "' is a " +
-                                        std::string(to_string(entry.declaration.rank)) + " of " + entry.owner +
-                                        ", but [" + owner + "] sets a " + std::string(to_string(declaration.rank)));
+    throw Error(ExitCode::bad_case, "field '" + name + "' is a " + std::string(to_string(entry.declaration.rank)) +
+                                        " of " + entry.owner + ", but [" + owner + "] sets a " +
+                                        std::string(to_string(declaration.rank)));
   entry.initial = true;
+  entry.set_by = owner;
 }
 
 const Catalogue::Entry* Catalogue::find(std::string_view field) const {

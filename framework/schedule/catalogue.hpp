@@ -17,8 +17,9 @@ class MESOGEN_EXPORT Catalogue {
  public:
   struct Entry {
     FieldDeclaration declaration;
-    std::string owner;     ///< instance, "director", ...
-    bool initial = false;  ///< the initial conditions set it
+    std::string owner;        ///< instance, "director", ...
+    bool initial = false;     ///< the initial conditions set it
+    std::string set_by = {};  ///< which one
   };
 
   explicit Catalogue(int dimension) : dimension_(dimension) {}

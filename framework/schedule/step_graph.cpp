@@ -149,7 +149,12 @@ void StepGraph::check_fields() const {
     }
     for (const auto* const list : {&work.pass.write_list, &work.pass.accumulate_list})
       for (const std::string& field : *list)
-        if (catalogue_.is_state(field))
+        if (const auto* const entry = catalogue_.find(field); entry != nullptr && entry->initial &&
+                                                              !has_rate(entry->declaration.advance) &&
+                                                              entry->declaration.advance != Advance::by_passes)
+          throw Error(ExitCode::bad_case, "[" + entry->set_by + "] sets '" + field + "', which '" + work.title() +
+                                              "' makes at each step: remove that section");
+        else if (catalogue_.is_state(field))
           throw Error(ExitCode::plugin_refused,
                       "'" + work.title() + "' writes '" + field +
                           "', which keeps its value from step to step: add to its rate of change instead");

@@ -20,8 +20,12 @@ std::string those_who_set(const std::string& field, const PluginRegistry& regist
   std::string text;
   for (const std::string& name : registry.names(PluginKind::initial)) {
     InitialPlan plan;
-    const auto plugin = registry.make_initial(name);
-    call_plugin(name, "plan()", [&] { plugin->plan(plan); });
+    try {
+      const auto plugin = registry.make_initial(name);
+      call_plugin(name, "plan()", [&] { plugin->plan(plan); });
+    } catch (const Error&) {
+      continue;  // what is wrong with another plugin is not asked here
+    }
     for (const FieldDeclaration& declared : plan.fields())
       if (declared.name == field) text += (text.empty() ? ": [" : " or [") + name + "]";
   }
@@ -117,6 +121,7 @@ void SetupBuilder::put_together() {
   describe_scene();
   if (!problems_.empty()) return check_fields_of_unsound_case();
   declare_physics();
+  if (!problems_.empty()) return check_fields_of_unsound_case();
   collect_fields();
   choose_output();
   if (!problems_.empty()) return;

@@ -38,6 +38,7 @@ void SetupBuilder::describe_scene() {
       diffusion_margin * stable_rate(source_.time.scheme) /
       sph::largest_laplacian(setup_.smoothing, scene.spacing, scene.dimension, source_.laplacian == "consistent");
   publish_physics();
+  scene.scales = {};  // what was told of an incomplete scene does not count: all tell it again
   if (additions_.scene) additions_.scene(scene);
   attempt(source_.boundary, [&] { setup_.boundary->prepare(scene); });
   publish_initial_conditions();
@@ -91,6 +92,16 @@ InitialState initial_state(const Setup::InitialMember& member, const Setup& setu
   for (std::size_t d = 0; d < position.size(); ++d) position[d] = setup.arrangement.position[d];
   InitialState state(setup.scene, member.plan, position);
   call_plugin(member.name, "set()", [&] { member.plugin->set(state); });
+  for (const FieldDeclaration& field : member.plan.fields())
+    for (int c = 0; c < component_count(field.rank, setup.scene.dimension); ++c) {
+      const auto values = state.component(field.name, c);
+      const auto wrong = std::ranges::find_if_not(values, [](double value) { return std::isfinite(value); });
+      if (wrong != values.end())
+        throw Error(ExitCode::plugin_refused, "plugin \"" + member.name + "\", set(): component " + std::to_string(c) +
+                                                  " of '" + field.name + "' is " + rounded_text(*wrong) +
+                                                  " at particle " + std::to_string(wrong - values.begin()) +
+                                                  ": set a finite number");
+    }
   return state;
 }
 

@@ -106,6 +106,12 @@ class WrongCases(CommandTest):
                      "case.toml:18", "filter_feedback: needs a filter: set density_filter above 0, such as "
                      "density_filter = 1.0")
 
+    def test_what_is_refused_late_is_told_alone(self):
+        published = CASE.replace('"wcsph"', '"wcsph_published"')
+        _, err = self.mesogen("run", self.write_case(published.replace(
+            "viscosity = 0.5", "viscosity = 0.5\ndensity_filter = 0.0\nfilter_feedback = true")), code=2)
+        self.assertRegex(err, r"^error: \S*case\.toml:18:\d+: physics\.flow\.filter_feedback: .*\n$")
+
     def test_keys_of_the_published_scheme_are_named_with_its_plugin(self):
         self.refused(CASE.replace("viscosity = 0.5", "viscosity = 0.5\ndensity_filter = 1.0"), "case.toml:17",
                      'density_filter: belongs to the published scheme: write type = "wcsph_published"')

@@ -27,7 +27,7 @@ class PluginCheck(CommandTest):
         self.assertRegex(failed[what], problem)
 
     def test_a_fit_plugin(self):
-        for kind in ("boundary", "physics", "observer"):
+        for kind in ("boundary", "initial", "physics", "observer"):
             self.assertEqual(self.check(kind, "none", code=0), {})
         out, err = self.mesogen("plugin", "check", "quintic")
         self.assertEqual(err, "")
@@ -98,6 +98,30 @@ class PluginCheck(CommandTest):
                           r"after a resume: name what passes bring from step to step, by keep\(\)")
         self.assert_fails("physics", "overflow", "single precision agrees with double",
                           "in single precision: a number is too large or too small for float")
+
+        published = "what it publishes stays the same when it is asked again"
+        self.assert_fails("physics", "adds_constant", published,
+                          r"the constant 'unfit' is \d, then \d: publish\(\) is called twice, so set it, do not add")
+        self.assert_fails("physics", "adds_stress", published,
+                          r"the stress is \d, then \d: publish\(\) is called twice, so raise it by std::max")
+
+    def test_initial(self):
+        described = "the fields that it sets are named and described"
+        self.assert_fails("initial", "no_doc", described, "'heat' has no doc text or no unit")
+        self.assertIn("it sets no field: name what it sets in plan()", self.check("initial", "nothing")[described])
+        for fault, problem in (
+                ("twins", "field 'heat' is set by [unfit_initial] twice"),
+                ("derived", "[unfit_initial] sets 'heat_laplacian', which the framework makes: an initial condition sets "
+                            "fields that a plugin introduces"),
+                ("position", "[unfit_initial] sets 'position', which the framework makes"),
+                ("not_finite", "plugin \"unfit_initial\", set(): component 0 of 'heat' is nan at particle 17: set a "
+                               "finite number"),
+                ("undeclared", "sets the field 'cold', which its plan() does not name"),
+                ("component", "sets component 1 of 'heat', which has the components 0 to 0")):
+            self.assertIn(problem, self.check("initial", fault)[described], fault)
+        same = "the same input gives the same bits, again and with 3 threads"
+        self.assert_fails("initial", "leftover", same, "take random numbers from mesogen/exec/random.hpp")
+        self.assert_fails("initial", "threads", same, r"\(with 3 threads\): set each particle by itself")
 
     def test_observer(self):
         described = "its quantities are named and described"

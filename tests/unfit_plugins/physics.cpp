@@ -15,8 +15,14 @@ class Unfit final : public Physics {
   void parameters(ParameterList& list) override {
     list.text("fault", fault_)
         .choices({"none", "undeclared_read", "undeclared_write", "optional", "not_finite", "leftover", "threads",
-                  "overflow", "limit", "memory", "nameless", "no_body", "no_doc", "twins", "idle"})
+                  "overflow", "limit", "memory", "nameless", "no_body", "no_doc", "twins", "idle", "adds_constant",
+                  "adds_stress"})
         .doc("what is wrong");
+  }
+
+  void publish(Scene& scene) const override {
+    if (fault_ == "adds_constant") scene.constants["unfit"] += 1.0;
+    if (fault_ == "adds_stress") scene.scales.stress += 1.0;
   }
 
   void declare(const Scene&, PassList& list) override {

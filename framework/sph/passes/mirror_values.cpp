@@ -173,7 +173,9 @@ struct ValueLoop {
         const NeighbourBlock& block = points.block[at];
         const Real* const from = field.component(c) + block.first;
         Doubles<Real> seen;
-        for (int lane = 0; lane < width; ++lane) seen.value[lane] = static_cast<double>(from[lane]);
+        // What lies beyond the block may be a wall's value that another thread writes.
+        for (int lane = 0; lane < width; ++lane)
+          seen.value[lane] = lane < block.lanes ? static_cast<double>(from[lane]) : 0.0;
         for (int lane = 0; lane < block.lanes; lane += int(Lane::size())) {
           Lane own;
           exec::load(weight + at * width + lane, own);

@@ -13,7 +13,7 @@ from ..errors import StudyError
 from .overrides import digest
 
 DEFAULTS = ", defaults "  # in the column `version`, before the digest of the defaults
-PLUGINS = ("physics", "observer", "kernel", "boundary")  # sections of the schema with a definition for each plugin
+PLUGINS = ("physics", "observer", "kernel", "boundary", "initial")  # sections of the schema with a definition for each plugin
 
 
 class Program:
@@ -108,10 +108,11 @@ def _defaults(node, path):
 
 
 def _words(value):
-    """All texts in nested dictionaries and lists."""
+    """All texts and keys in nested dictionaries and lists: an initial condition is named by a key."""
     if isinstance(value, str):
         yield value
     elif isinstance(value, dict):
+        yield from value
         yield from _words(list(value.values()))
     elif isinstance(value, (list, tuple)):
         for one in value:

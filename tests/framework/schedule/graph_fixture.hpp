@@ -2,6 +2,7 @@
 
 #include <deque>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "mesogen/diagnostics/error.hpp"
@@ -18,6 +19,12 @@ class GraphFixture {
     instances_.push_back(instance);
     return lists_.back();
   }
+  /// A field that an initial condition sets.
+  void initial(const std::string& owner, const std::string& field) {
+    FieldDeclaration declaration;
+    declaration.name = field;
+    initial_.emplace_back(owner, declaration);
+  }
   void reader(const std::string& name, const std::vector<std::string>& fields) { readers_.push_back({name, fields}); }
 
   [[nodiscard]] StepGraph graph() {
@@ -26,6 +33,7 @@ class GraphFixture {
       for (const FieldDeclaration& field : lists_[n].fields()) catalogue_.add(field, instances_[n]);
       members.push_back({instances_[n], &lists_[n]});
     }
+    for (const auto& [owner, field] : initial_) catalogue_.add_initial(field, owner);
     return {catalogue_, members, readers_};
   }
   /// What it says instead of making a graph.
@@ -42,6 +50,7 @@ class GraphFixture {
   std::deque<PassList> lists_;
   std::vector<std::string> instances_;
   std::vector<Reader> readers_;
+  std::vector<std::pair<std::string, FieldDeclaration>> initial_;
   Catalogue catalogue_{2};
 };
 

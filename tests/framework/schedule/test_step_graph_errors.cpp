@@ -164,4 +164,21 @@ TEST(StepGraphErrors, WhatIsMadeForReadersIsNeitherAddedToNorLasts) {
             "nothing");
 }
 
+TEST(StepGraphErrors, InitialConditionSetsWhatAPassMakes) {
+  GraphFixture fixture;
+  PassList& flow = fixture.plugin("flow");
+  flow.field("pressure", Rank::scalar);
+  flow.pass("state").writes({"pressure"});
+  fixture.initial("squeezed", "pressure");
+  EXPECT_EQ(fixture.refusal(),
+            "[squeezed] sets 'pressure', which 'flow: state' makes at each step: remove that section");
+}
+
+TEST(StepGraphErrors, TwoInitialConditionsSetOneField) {
+  GraphFixture fixture;
+  fixture.initial("hot", "heat");
+  fixture.initial("cold", "heat");
+  EXPECT_EQ(fixture.refusal(), "field 'heat' is set by [hot] and by [cold]: remove one of the two sections");
+}
+
 }  // namespace

@@ -73,7 +73,7 @@ class MESOGEN_EXPORT Initial {
   /// Names the fields that it sets. Also called with default parameters, for `plugin info`.
   virtual void plan(InitialPlan& plan) const = 0;
   /// Refuses, by BadParameter, what its parameters cannot mean in this scene, and adds numbers for other plugins to
-  /// scene.constants. The scene has the box, the particles and the constants of the physics plugins.
+  /// scene.constants. The scene has the box, the particles and constants that follow from parameters alone.
   virtual void publish(Scene& scene);
   /// Sets the fields. Results must not depend on the number of threads: random numbers go by particle
   /// (exec/random.hpp).

@@ -111,7 +111,7 @@ struct MESOGEN_EXPORT FieldDeclaration {
     return *this;
   }
   /// For an advanced field, and a plugin that adapts its numerics to it while the run goes on. What the function
-  /// changes must be kept (PassList::keep), and step_limits() is asked again where it changed something. It is not
+  /// changes must be kept (PassList::keep); limits on the step are asked again where it changed something. It is not
   /// called where the case gives the step, which could not follow.
   FieldDeclaration& watched_by(Watch function) {
     watch = std::move(function);
@@ -167,7 +167,7 @@ class MESOGEN_EXPORT PassList {
   /// There is a flow, and this is how particles go with it. One plugin of a case says so.
   void flows(Transport transport) { transport_ = std::move(transport); }
   /// Numbers of the plugin's own that its passes bring from step to step, such as a field on a mesh: kept in
-  /// checkpoints. `where` tells where they are when a run is under way: so many of them, room for them made by then.
+  /// checkpoints. While a run is under way `where` must return exactly `count` numbers, which may be changed there.
   void keep(std::string_view name, std::size_t count, std::function<std::span<double>()> where) {
     kept_.push_back({std::string(name), count, std::move(where)});
   }
