@@ -2,9 +2,10 @@ install(TARGETS mesogen_command EXPORT MesogenTargets RUNTIME DESTINATION ${CMAK
 install(DIRECTORY python/mesogen DESTINATION lib/mesogen/python PATTERN __pycache__ EXCLUDE)
 install(DIRECTORY app/templates DESTINATION share/mesogen)
 install(FILES LICENSE README.md ARCHITECTURE.md CHANGELOG.md DESTINATION share/doc/mesogen)
-install(FILES docs/quickstart.png docs/reference.md docs/stability.md docs/performance.md DESTINATION share/doc/mesogen/docs)
+file(GLOB pages CONFIGURE_DEPENDS docs/*.md)
+install(FILES ${pages} docs/quickstart.png DESTINATION share/doc/mesogen/docs)
 install(DIRECTORY cases studies DESTINATION share/mesogen)
-install(DIRECTORY docs/accuracy docs/stability docs/performance DESTINATION share/doc/mesogen/docs)
+install(DIRECTORY docs/accuracy docs/stability docs/performance docs/study DESTINATION share/doc/mesogen/docs)
 install(DIRECTORY examples DESTINATION share/doc/mesogen)
 
 # find_package(Mesogen), from an installation and, without one, from the build folder.

@@ -36,7 +36,7 @@ if grep -rlF -e "$build" -e "$source" "$prefix/lib/cmake"; then
   exit 1
 fi
 
-for kind in kernel boundary physics observer; do
+for kind in kernel boundary initial physics observer; do
   quietly "$mesogen" plugin new $kind my_$kind "own/my_$kind"
   build_and_test "own/my_$kind"
   "$mesogen" plugin list --plugin-path "own/my_$kind/build/plugins" >list
@@ -51,6 +51,8 @@ boundary = "my_boundary"
 spacing = 0.0625
 [kernel]
 type = "my_kernel"
+[my_initial]
+speed = 0.0
 [physics.flow]
 type = "wcsph"
 density = 2.0
@@ -65,7 +67,7 @@ every = 10
 end = 0.1
 CASE
 export MESOGEN_PLUGIN_PATH=$work/own/my_kernel/build/plugins:$work/own/my_boundary/build/plugins
-MESOGEN_PLUGIN_PATH+=:$work/own/my_physics/build/plugins:$work/own/my_observer/build/plugins
+MESOGEN_PLUGIN_PATH+=:$work/own/my_initial/build/plugins:$work/own/my_physics/build/plugins:$work/own/my_observer/build/plugins
 quietly "$mesogen" run case.toml --output results
 # The fluid starts at rest and nothing but the force acts on it: u = F t / rho.
 /usr/bin/python3 - <<'CHECK'
