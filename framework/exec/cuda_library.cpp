@@ -14,7 +14,9 @@ CudaBackend cuda_backend() {
     return {nullptr, "libmesogen cannot tell where it lies"};
   const auto file = std::filesystem::absolute(info.dli_fname).parent_path() / "libmesogen_cuda.so";
   if (!std::filesystem::exists(file))
-    return {nullptr, "this Mesogen was built without CUDA: build it by `MESOGEN_CUDA=on scripts/setup`, which needs nvcc (12 or later)"};
+    return {nullptr,
+            "this Mesogen was built without CUDA: build it by `MESOGEN_CUDA=on scripts/setup`, which needs nvcc (12 or "
+            "later)"};
   void* const library = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE);
   if (library == nullptr) {
     const char* const reason = dlerror();
