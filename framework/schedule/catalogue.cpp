@@ -20,10 +20,6 @@ void Catalogue::add(const FieldDeclaration& declaration, const std::string& owne
 
 void Catalogue::add_initial(const FieldDeclaration& declaration, const std::string& owner) {
   const std::string& name = declaration.name;
-  if (name == "position" || derived_name(name).kind != DerivedName::Kind::none)
-    throw Error(ExitCode::plugin_refused, "[" + owner + "] sets '" + name +
-                                              "', which the framework makes: an initial condition sets fields that a "
-                                              "plugin introduces");
   const auto at = entries_.find(name);
   if (at == entries_.end()) {
     entries_.emplace(name, Entry{declaration, owner, true, owner});

@@ -8,6 +8,7 @@
 #include "case/nearest.hpp"
 #include "plugin/plugin_call.hpp"
 #include "plugin/sample_scene.hpp"
+#include "schedule/derived_name.hpp"
 #include "simulation/refusals.hpp"
 #include "simulation/setup_builder.hpp"
 
@@ -32,6 +33,13 @@ std::string those_who_set(const std::string& field, const PluginRegistry& regist
   return text;
 }
 
+void refuse_made_by_framework(const std::string& field, const std::string& initial) {
+  if (field != "position" && derived_name(field).kind == DerivedName::Kind::none) return;
+  throw Error(ExitCode::plugin_refused, "[" + initial + "] sets '" + field +
+                                            "', which the framework makes: an initial condition sets fields that a "
+                                            "plugin introduces");
+}
+
 }  // namespace
 
 void SetupBuilder::collect_fields() {
@@ -54,7 +62,10 @@ void SetupBuilder::collect_initial_fields() {
   for (std::size_t n = 0; n < setup_.initial.size(); ++n)
     attempt(source_.initial[n], [&] {
       const auto& member = setup_.initial[n];
-      for (const FieldDeclaration& field : member.plan.fields()) setup_.catalogue.add_initial(field, member.name);
+      for (const FieldDeclaration& field : member.plan.fields()) {
+        refuse_made_by_framework(field.name, member.name);
+        setup_.catalogue.add_initial(field, member.name);
+      }
     });
 }
 
