@@ -9,6 +9,7 @@
 #include <memory>
 #include <system_error>
 
+#include "case/declared_sections.hpp"
 #include "case/nearest.hpp"
 #include "install.hpp"
 #include "options.hpp"
@@ -93,7 +94,7 @@ std::string write_plugin(PluginKind kind, const std::string& name, const fs::pat
   std::string text =
       fmt::format("written to {}: {}, {}, CMakeLists.txt\n\nbuild it and test it:\n", where, source, test);
   text += fmt::format("    cmake -S {0} -B {0}/build -DCMAKE_PREFIX_PATH={1}\n", where, installation().string());
-  text += fmt::format("    cmake --build {0}/build && ctest --test-dir {0}/build\n", where);
+  text += fmt::format("    cmake --build {0}/build && ctest --test-dir {0}/build --output-on-failure\n", where);
   text += fmt::format("let Mesogen find it, or install it with: cmake --install {}/build\n", where);
   text += fmt::format("    export MESOGEN_PLUGIN_PATH={}${{MESOGEN_PLUGIN_PATH:+:$MESOGEN_PLUGIN_PATH}}\n",
                       fs::absolute(folder / "build" / "plugins").string());
@@ -111,6 +112,16 @@ PluginKind kind_of(const std::string& word) {
                                               fmt::join(words, ", "), did_you_mean(word, words)));
 }
 
+/// Names at the top level of a case that are not those of initial conditions.
+std::vector<std::string> section_names() {
+  std::vector<std::string> names = {"title"};
+  for (const auto& declared : declared_sections())
+    if (const std::string& name = declared.section.name;
+        !name.empty() && name.find('.') == std::string::npos && !declared.section.plugin_named())
+      names.push_back(name);
+  return names;
+}
+
 struct Options {
   std::string kind;
   std::string name;
@@ -121,13 +132,19 @@ ExitCode write_new(const Options& options) {
   const PluginKind kind = kind_of(options.kind);
   if (const std::string problem = plugin_name_problem(options.name); !problem.empty())
     throw Error(ExitCode::bad_case, problem);
+  if (kind == PluginKind::initial)
+    if (const std::string taken = nearest(options.name, section_names()); !taken.empty())
+      throw Error(ExitCode::bad_case,
+                  fmt::format("an initial condition's name is that of its section in a case, and \"{}\" is {} \"{}\", "
+                              "a section or key of Mesogen's own: take another name",
+                              options.name, options.name == taken ? "taken:" : "too near to", taken));
   const auto registry = load_plugins({}, true);
   if (const auto* twin = registry.find(kind, options.name))
-    fmt::print(
-        stderr,
-        "warning: there is a {} plugin \"{}\" already, {}: the two cannot be loaded together; take another name, "
-        "or remove that one\n",
-        options.kind, options.name, twin->file.string());
+    fmt::print(stderr,
+               "warning: there is already a plugin of the kind {} called \"{}\", {}: the two cannot be loaded "
+               "together; take another name, "
+               "or remove that one\n",
+               options.kind, options.name, twin->file.string());
   fmt::print("{}", write_plugin(kind, options.name, options.folder.empty() ? options.name : options.folder));
   return ExitCode::done;
 }

@@ -112,6 +112,11 @@ void SceneCompletion::add_missing(Setup& setup, const std::string& wanted, bool 
   const std::string field = root(wanted);
   if (field.empty() || setup.catalogue.exists(field)) return;
   const FieldDeclaration found = known(field);
+  if (field == "position")
+    throw Error(ExitCode::bad_case,
+                fmt::format("'{}' reads 'position', which is no field: take coordinates from context.position(axis), "
+                            "without naming them",
+                            by));
   if (found.name.empty())
     throw Error(
         ExitCode::bad_case,

@@ -38,7 +38,7 @@ class CaseReader {
   void check_names() {
     std::vector<std::string> known = {"title"};
     for (const auto& section : case_keys::sections())
-      if (!section.name.empty() && section.name.find('.') == std::string::npos && section.name != "NAME")
+      if (!section.name.empty() && section.name.find('.') == std::string::npos && !section.plugin_named())
         known.push_back(section.name);
     for (const auto& [key, place, value] : *case_.tree->as<Value::Table>()) {
       if (std::find(known.begin(), known.end(), key) == known.end()) {

@@ -19,6 +19,8 @@ struct Section {
   bool required = false;
   bool instances = false;                           ///< holds tables named by the user, such as [physics.flow]
   std::optional<PluginKind> plugin = std::nullopt;  ///< it chooses one of this kind, whose parameters are keys here too
+  /// Is it called after its plugin?
+  [[nodiscard]] bool plugin_named() const { return plugin == PluginKind::initial; }
 };
 /// All of them, in the order in which a case is best read.
 const std::vector<Section>& sections();

@@ -118,6 +118,10 @@ void StepGraph::check_fields() const {
     const auto check = [&](const std::vector<std::string>& fields, const std::string& does) {
       for (const std::string& field : fields)
         if (!catalogue_.exists(field)) {
+          if (field == "position")
+            throw Error(ExitCode::plugin_refused, "'" + work.title() + "' " + does +
+                                                      " 'position', which is no field: a pass takes coordinates from "
+                                                      "context.position(axis), without naming them");
           const std::string meant = did_you_mean(field, catalogue_.names());
           throw Error(ExitCode::bad_case,
                       "'" + work.title() + "' " + does + " '" + field + "', which no plugin of this case introduces" +

@@ -11,6 +11,22 @@
 
 namespace mesogen {
 
+namespace {
+
+/// What a section that is called after no initial condition most likely means: "; did you mean \"director\"?". Empty if
+/// it is called after one, or if nothing is like it.
+std::string hint_on_section(const CaseSection& section, const PluginRegistry& registry) {
+  const std::string name = section.name();
+  if (registry.find(PluginKind::initial, name) != nullptr) return {};
+  for (const auto& [kind, group] :
+       {std::pair(PluginKind::physics, "physics"), std::pair(PluginKind::observer, "observers")})
+    if (registry.find(kind, section.type()) != nullptr)
+      return "; did you mean \"" + std::string(group) + "." + name + "\"?";
+  return did_you_mean(name, registry.names(PluginKind::initial));
+}
+
+}  // namespace
+
 template <class Make>
 auto SetupBuilder::make(const PluginChoice& choice, Make&& made) -> decltype(made(choice.type)) {
   if (choice.type.empty()) return nullptr;
@@ -53,12 +69,10 @@ void SetupBuilder::make_plugins() {
   setup_.kernel = make(source_.kernel, [&](const std::string& type) { return registry_.make_kernel(type); });
   simple(source_.kernel, setup_.kernel);
   for (const PluginChoice& choice : source_.initial) {
-    auto plugin = make(choice, [&](const std::string& type) {
-      const auto names = registry_.names(PluginKind::initial);
-      if (const std::string hint = did_you_mean(type, names);
-          !hint.empty() && std::ranges::find(names, type) == names.end())
+    auto plugin = make(choice, [&](const std::string& name) {
+      if (const std::string hint = hint_on_section(choice.section, registry_); !hint.empty())
         throw Error(ExitCode::bad_case, "unknown section or key" + hint);
-      return registry_.make_initial(type);
+      return registry_.make_initial(name);
     });
     initial_missing_ = initial_missing_ || !plugin;
     simple(choice, plugin);

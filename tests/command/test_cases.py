@@ -106,6 +106,10 @@ class WrongCases(CommandTest):
                      "case.toml:18", "filter_feedback: needs a filter: set density_filter above 0, such as "
                      "density_filter = 1.0")
 
+    def test_physics_without_its_group_is_told(self):
+        _, err = self.mesogen("run", self.write_case(CASE.replace("[physics.activity]", "[activity]")), code=2)
+        self.assertIn('activity: unknown section or key; did you mean "physics.activity"?', err)
+
     def test_what_is_refused_late_is_told_alone(self):
         published = CASE.replace('"wcsph"', '"wcsph_published"')
         _, err = self.mesogen("run", self.write_case(published.replace(

@@ -37,6 +37,12 @@ class PluginNew(CommandTest):
             self.mesogen("plugin", "new", "kernel", "narrow", folder)
             self.assertTrue(os.path.exists(self.path(folder, "narrow.cpp")))
 
+    def test_initial_condition_called_like_a_section(self):
+        for name, why in (("physics", 'taken: "physics"'), ("domains", 'too near to "domain"'), ("title", 'taken: "title"')):
+            _, err = self.mesogen("plugin", "new", "initial", name, code=2)
+            self.assertIn(f'"{name}" is {why}, a section or key of Mesogen\'s own: take another name', err)
+            self.assertFalse(os.path.exists(self.path(name)))
+
     def test_unknown_kind(self):
         self.assertIn('"physic" is no kind of plugin (there are: kernel, boundary, initial, physics, observer); did you mean '
                       '"physics"?', self.refused("physic", "my_force"))

@@ -181,4 +181,14 @@ TEST(StepGraphErrors, TwoInitialConditionsSetOneField) {
   EXPECT_EQ(fixture.refusal(), "field 'heat' is set by [hot] and by [cold]: remove one of the two sections");
 }
 
+TEST(StepGraphErrors, PositionIsNoField) {
+  GraphFixture fixture;
+  PassList& trap = fixture.plugin("trap");
+  trap.field("acceleration", Rank::vector);
+  trap.pass("pull").reads({"position"}).accumulates({"acceleration"});
+  EXPECT_EQ(fixture.refusal(ExitCode::plugin_refused),
+            "'trap: pull' reads 'position', which is no field: a pass takes coordinates from context.position(axis), "
+            "without naming them");
+}
+
 }  // namespace
