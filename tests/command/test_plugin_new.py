@@ -93,7 +93,7 @@ class PluginNew(CommandTest):
 
     def test_name_that_is_taken(self):
         _, err = self.mesogen("plugin", "new", "kernel", "quintic")
-        self.assertRegex(err, r'warning: there is a kernel plugin "quintic" already, /.*quintic\.so: the two cannot be '
+        self.assertRegex(err, r'warning: there is already a plugin of the kind kernel called "quintic", /.*quintic\.so: the two cannot be '
                               "loaded together; take another name, or remove that one")
         _, err = self.mesogen("plugin", "new", "observer", "quintic", "other")
         self.assertEqual(err, "", "a name may be used once a kind")
