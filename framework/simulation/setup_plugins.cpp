@@ -77,6 +77,7 @@ void SetupBuilder::make_plugins() {
     initial_missing_ = initial_missing_ || !plugin;
     simple(choice, plugin);
     if (!plugin) continue;
+    plugin->unit = [units = source_.units](std::string_view si) { return units.text(si); };
     setup_.initial.push_back({choice.type, std::move(plugin), {}});
     attempt(choice, [&] {
       auto& member = setup_.initial.back();

@@ -147,7 +147,7 @@ class WrongCases(CommandTest):
         difference = final(self.path("face"), "order_tensor") - final(self.path("inside"), "order_tensor")
         self.assertLess(abs(difference).max(), 1e-9)
         self.refused(text.replace('"periodic_ghosts"', '{ type = "walls", axes = ["x", "y"] }'),
-                     "director.defects: row 1: must lie in the box, x from 0 to 1.6, where this axis ends at walls, but is "
+                     "director.defects: row 1: must lie in the box, x from 0 to 1.6 m, where this axis ends at walls, but is "
                      "at 1.6")
 
     def test_unknown_output_field(self):

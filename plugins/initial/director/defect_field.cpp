@@ -19,15 +19,16 @@ constexpr double pi = std::numbers::pi;
 [[noreturn]] void refuse(const std::string& what) { throw BadParameter("defects", what); }
 
 /// The place of a defect, folded into the box along the periodic axes: a place beyond a face is the same as one inside.
-std::array<double, 2> folded(const std::vector<double>& defect, std::size_t row, const Scene& scene) {
+std::array<double, 2> folded(const std::vector<double>& defect, std::size_t row, const Scene& scene,
+                             const std::string& unit) {
   std::array<double, 2> place{};
   for (std::size_t axis = 0; axis < place.size(); ++axis) {
     double at = defect[axis];
     std::int32_t boxes = 0;
     if (scene.periodic[axis]) wrap_into_box(scene.box[axis], at, boxes);
     if (!(at >= 0.0 && at < scene.box[axis]))
-      refuse(formatted("row %zu: must lie in the box, %s from 0 to %g, %s, but is at %g", row + 1,
-                       axis == 0 ? "x" : "y", scene.box[axis],
+      refuse(formatted("row %zu: must lie in the box, %s from 0 to %g %s, %s, but is at %g", row + 1,
+                       axis == 0 ? "x" : "y", scene.box[axis], unit.c_str(),
                        scene.periodic[axis] ? "or within 1e9 boxes of it" : "where this axis ends at walls",
                        defect[axis]));
     place[axis] = at;
@@ -37,7 +38,7 @@ std::array<double, 2> folded(const std::vector<double>& defect, std::size_t row,
 
 }  // namespace
 
-DefectField::DefectField(const Parameter::Rows& rows, double core, const Scene& scene)
+DefectField::DefectField(const Parameter::Rows& rows, double core, const Scene& scene, const std::string& length_unit)
     : width_(scene.box[0]), height_(scene.box[1]), core_(core) {
   double sum = 0.0;
   double moment_x = 0.0;
@@ -46,7 +47,7 @@ DefectField::DefectField(const Parameter::Rows& rows, double core, const Scene& 
     const double charge = rows[row][2];
     if (std::abs(charge) != 0.5)
       refuse(formatted("row %zu: the charge must be 0.5 or -0.5, but is %g", row + 1, charge));
-    const auto [x, y] = folded(rows[row], row, scene);
+    const auto [x, y] = folded(rows[row], row, scene, length_unit);
     for (std::size_t other = 0; other < row; ++other)
       if (at_same_place(defects_[other], x, y))
         refuse(formatted("rows %zu and %zu are at the same place", other + 1, row + 1));

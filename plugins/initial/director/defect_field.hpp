@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "mesogen/plugin/parameters.hpp"
@@ -29,7 +30,8 @@ class DefectField {
   /// `rows`: x (m), y (m), charge (0.5 or -0.5) of each; those beyond a periodic face of the scene's box are folded
   /// into it. `core`: radius of the cores, m. Throws BadParameter if a defect lies outside, if two are at one place, or
   /// if the charges do not add up to 0.
-  DefectField(const Parameter::Rows& rows, double core, const Scene& scene);
+  /// `length_unit`: of the case, for messages.
+  DefectField(const Parameter::Rows& rows, double core, const Scene& scene, const std::string& length_unit = "m");
   /// Order relative to that far from defects, and angle modulo pi, at a point of the box.
   [[nodiscard]] DirectorValue at(double x, double y) const;
 

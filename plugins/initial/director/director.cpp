@@ -104,8 +104,8 @@ class Director final : public Initial {
         return DirectorValue{order, sum};
       };
     if (type_ == "defects")
-      return [order, angle, defects = DefectField(defects_, core_.value_or(scene.spacing), scene)](Index, double x,
-                                                                                                   double y) {
+      return [order, angle, defects = DefectField(defects_, core_.value_or(scene.spacing), scene, unit("m"))](
+                 Index, double x, double y) {
         const DirectorValue value = defects.at(x, y);
         return DirectorValue{order * value.order, angle + value.angle};
       };

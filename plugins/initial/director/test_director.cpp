@@ -104,10 +104,11 @@ TEST(Director, RefusesWavesAndDefectsThatDoNotFitTheBox) {
   TestScene channel;
   channel.boundary = "walls";
   EXPECT_EQ(refusal(defects + "[[0.2, 0.2, 0.5], [0.7, 1.2, -0.5]]", channel),
-            "director.defects: row 2: must lie in the box, y from 0 to 1, where this axis ends at walls, but is at "
+            "director.defects: row 2: must lie in the box, y from 0 to 1 m, where this axis ends at walls, but is at "
             "1.2");
-  EXPECT_EQ(refusal(defects + "[[0.2, 0.2, 0.5], [1e30, 0.2, -0.5]]"),
-            "director.defects: row 2: must lie in the box, x from 0 to 1, or within 1e9 boxes of it, but is at 1e+30");
+  EXPECT_EQ(
+      refusal(defects + "[[0.2, 0.2, 0.5], [1e30, 0.2, -0.5]]"),
+      "director.defects: row 2: must lie in the box, x from 0 to 1 m, or within 1e9 boxes of it, but is at 1e+30");
 }
 
 // Beyond a periodic face lies the other side of the box.

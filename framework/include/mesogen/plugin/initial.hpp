@@ -2,6 +2,7 @@
 
 #include <array>
 #include <deque>
+#include <functional>
 #include <map>
 #include <span>
 #include <string>
@@ -78,6 +79,9 @@ class MESOGEN_EXPORT Initial {
   /// Sets the fields. Results must not depend on the number of threads: random numbers go by particle
   /// (exec/random.hpp).
   virtual void set(InitialState& state) const = 0;
+
+  /// A unit of the case in the place of an SI unit, for messages: "um" for "m". The framework sets it before publish().
+  std::function<std::string(std::string_view si)> unit = [](std::string_view si) { return std::string(si); };
 };
 
 }  // namespace mesogen
