@@ -10,7 +10,7 @@
 #include "forecast/steps.hpp"
 #include "forecast/timing.hpp"
 #include "plugin/registry.hpp"
-#include "simulation/setup.hpp"
+#include "run/setup.hpp"
 
 namespace mesogen::app {
 

@@ -70,7 +70,7 @@ Json condition_schema(const Parameter& parameter, const DeclaredKey& other) {
   bool by_default = false;
   for (const auto& word : parameter.condition_values) {
     values.push_back(condition_value(word));
-    by_default = by_default || (other.standard && to_json(*other.standard) == values.back());
+    by_default = by_default || (other.default_value && to_json(*other.default_value) == values.back());
   }
   Json schema = {{"properties", {{parameter.condition_key, {{"enum", values}}}}}};
   if (!by_default) schema["required"] = Json::array({parameter.condition_key});
@@ -113,7 +113,7 @@ Json key_schema(const DeclaredKey& key) {
   Json schema = Json::object();
   if (const auto text = description(key.parameter); !text.empty()) schema["description"] = text;
   schema.update(std::visit(TypeWriter(key.parameter), key.parameter.target));
-  if (key.standard) schema["default"] = to_json(*key.standard);
+  if (key.default_value) schema["default"] = to_json(*key.default_value);
   return schema;
 }
 

@@ -7,7 +7,7 @@
 #include "case/case.hpp"
 #include "command_line/verb.hpp"
 #include "plugin/registry.hpp"
-#include "simulation/run.hpp"
+#include "run/run.hpp"
 
 namespace mesogen::app {
 

@@ -16,7 +16,7 @@ Json keys_json(const PluginFacts& plugin) {
         {"range", parameter.range_text()}, {"required", parameter.is_required}, {"meaning", parameter.doc_text}};
     if (!parameter.condition_key.empty())
       one["only_with"] = {{"key", parameter.condition_key}, {"values", parameter.condition_values}};
-    if (key.standard) one["default"] = to_json(*key.standard);
+    if (key.default_value) one["default"] = to_json(*key.default_value);
     one["schema"] = key_schema(key);
     all.push_back(std::move(one));
   }

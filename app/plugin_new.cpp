@@ -10,10 +10,10 @@
 #include <system_error>
 
 #include "case/declared_sections.hpp"
-#include "case/nearest.hpp"
 #include "install.hpp"
 #include "options.hpp"
 #include "plugin_name.hpp"
+#include "text/nearest.hpp"
 #include "verbs.hpp"
 
 namespace mesogen::app {

@@ -40,12 +40,12 @@ void tell_keys(Text& text, const PluginFacts& plugin) {
     return;
   }
   text.line("parameters, keys of {}:", place_in_case(plugin.kind));
-  for (const auto& [parameter, standard] : plugin.keys) {
+  for (const auto& [parameter, default_value] : plugin.keys) {
     std::string facts = parameter.type_text() + unit(parameter.unit_text);
     if (const auto range = parameter.range_text(); !range.empty()) facts += ", " + range;
     if (parameter.is_required) facts += ", required";
     if (!parameter.condition_key.empty()) facts += ", only with " + parameter.condition_text();
-    if (standard) facts += ", default " + inline_text(*standard);
+    if (default_value) facts += ", default " + inline_text(*default_value);
     text.item(parameter.name, facts, parameter.doc_text);
   }
 }

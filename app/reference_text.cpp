@@ -62,7 +62,8 @@ class Page {
     std::string meaning = p.doc_text;
     if (!p.condition_key.empty()) meaning += (meaning.empty() ? "" : "; ") + ("only with " + code(p.condition_text()));
     row({code(p.name), p.type_text(), p.unit_text == "1" ? "" : p.unit_text, p.range_text(),
-         p.is_required ? "required" : (declared.standard ? code(inline_text(*declared.standard)) : ""), meaning});
+         p.is_required ? "required" : (declared.default_value ? code(inline_text(*declared.default_value)) : ""),
+         meaning});
   }
   [[nodiscard]] const std::string& str() const { return text_; }
 

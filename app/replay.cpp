@@ -1,4 +1,4 @@
-#include "simulation/replay.hpp"
+#include "run/replay.hpp"
 
 #include <memory>
 

@@ -6,7 +6,7 @@
 
 #include "diagnostics/resources.hpp"
 #include "room.hpp"
-#include "simulation/resume_rules.hpp"
+#include "run/resume_rules.hpp"
 #include "verbs.hpp"
 
 namespace mesogen::app {

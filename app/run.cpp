@@ -1,4 +1,4 @@
-#include "simulation/run.hpp"
+#include "run/run.hpp"
 
 #include <iostream>
 #include <memory>

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "mesogen/diagnostics/formatted.hpp"
 #include "mesogen/nematics/instability.hpp"
+#include "mesogen/text/formatted.hpp"
 
 namespace mesogen::nematics {
 

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <tuple>
 
-#include "mesogen/domain/point_cells.hpp"
+#include "mesogen/neighbours/point_cells.hpp"
 #include "mesogen/plugin/by_id.hpp"
 
 namespace mesogen::nematics {

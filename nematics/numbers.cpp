@@ -5,8 +5,8 @@
 #include <numbers>
 #include <utility>
 
-#include "mesogen/diagnostics/formatted.hpp"
 #include "mesogen/nematics/instability.hpp"
+#include "mesogen/text/formatted.hpp"
 
 namespace mesogen::nematics {
 

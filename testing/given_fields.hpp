@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "simulation/setup.hpp"
+#include "run/setup.hpp"
 
 namespace mesogen::testing {
 

@@ -8,7 +8,7 @@
 #include <numeric>
 
 #include "mesogen/exec/random.hpp"
-#include "simulation/world_view.hpp"
+#include "run/state_view.hpp"
 
 namespace mesogen::testing {
 
@@ -33,7 +33,7 @@ std::int64_t stream_of(std::string_view field, int component) {
 HarnessRun::HarnessRun(const std::string& case_text, const PluginRegistry& registry, const GivenFields& given,
                        const std::map<std::string, double>& constants, std::int64_t seed_of_fields)
     : setup_(put_together(case_text, registry, given, constants)), stepper_(*setup_), observation_(stepper_) {
-  world().settle();
+  state().settle();
   seed(seed_of_fields);
   for (const auto& [name, field] : given) set(name, field);
 }
@@ -59,19 +59,19 @@ void HarnessRun::seed(std::int64_t seed) {
 }
 
 void HarnessRun::fill(const std::string& name, const FieldValue& value) {
-  world().backend.finish();
-  Field& field = world().fields.at(name);
-  const auto x = WorldView(world()).position(0);
-  const auto y = WorldView(world()).position(1);
+  state().backend.finish();
+  Field& field = state().fields.at(name);
+  const auto x = StateView(state()).position(0);
+  const auto y = StateView(state()).position(1);
   for (int c = 0; c < field.components(); ++c)
-    for (Index i = 0; i < world().particles.count(); ++i)
+    for (Index i = 0; i < state().particles.count(); ++i)
       field.set(c, i,
-                value(c, world().particles.id[i], x[static_cast<std::size_t>(i)], y[static_cast<std::size_t>(i)]));
+                value(c, state().particles.id[i], x[static_cast<std::size_t>(i)], y[static_cast<std::size_t>(i)]));
   ++field.version;
 }
 
 bool HarnessRun::set(const std::string& name, const GivenField& given) {
-  const Field* const field = world().fields.find(name);
+  const Field* const field = state().fields.find(name);
   if (field == nullptr || setup_->catalogue.find(name) == nullptr) return false;
   if (!given.value) return true;
   if (field->components() != given.components)
@@ -91,7 +91,7 @@ void HarnessRun::start() {
 
 void HarnessRun::restore(const std::map<std::string, std::vector<double>>& saved, double time) {
   start();
-  stepper_.world().time = time;
+  stepper_.state().time = time;
   Checkpoint checkpoint;
   checkpoint.observers[setup_->observers.front().instance] = saved;
   observation_.restore(checkpoint);
@@ -121,7 +121,7 @@ std::map<std::string, std::vector<double>, std::less<>> HarnessRun::sample(std::
   const auto& member = setup_->observers.front();
   // Fields are up to date before particles are stored anew, so nothing is computed in the wrong order.
   stepper_.executor().prepare(member.fields);
-  exec::Array<Index> order(world().particles.id.size(), world().backend.memory());
+  exec::Array<Index> order(state().particles.id.size(), state().backend.memory());
   std::iota(order.begin(), order.end(), 0);
   if (shuffled_by)
     for (std::size_t n = order.size(); n > 1; --n)
@@ -129,7 +129,7 @@ std::map<std::string, std::vector<double>, std::less<>> HarnessRun::sample(std::
                 order[static_cast<std::size_t>(exec::random_bits(*shuffled_by, static_cast<int>(n), 0) % n)]);
   permute(order);
   const auto values = observation_.sample(0).values();
-  exec::Array<Index> back(order.size(), world().backend.memory());
+  exec::Array<Index> back(order.size(), state().backend.memory());
   for (std::size_t n = 0; n < order.size(); ++n) back[static_cast<std::size_t>(order[n])] = static_cast<Index>(n);
   permute(back);
 
@@ -158,19 +158,19 @@ void HarnessRun::permute(const exec::Array<Index>& order) {
     for (std::size_t n = 0; n < order.size(); ++n) moved[n] = values[static_cast<std::size_t>(order[n])];
     values.swap(moved);
   };
-  Particles& particles = world().particles;
+  Particles& particles = state().particles;
   reorder(particles.id);
   for (int d = 0; d < particles.dimension; ++d) {
     reorder(particles.position[d]);
     reorder(particles.images[d]);
   }
-  Field::Scratch scratch(world().backend.memory());
-  for (const auto& [name, field] : world().fields.all()) field->permute(order, scratch);
-  world().backend.finish();
+  Field::Scratch scratch(state().backend.memory());
+  for (const auto& [name, field] : state().fields.all()) field->permute(order, scratch);
+  state().backend.finish();
 }
 
 std::vector<double> HarnessRun::by_id(const std::vector<double>& stored) {
-  const auto& id = world().particles.id;
+  const auto& id = state().particles.id;
   std::vector<double> values(stored.size());
   for (std::size_t i = 0; i < stored.size(); ++i) values[static_cast<std::size_t>(id[i])] = stored[i];
   return values;
@@ -178,35 +178,35 @@ std::vector<double> HarnessRun::by_id(const std::vector<double>& stored) {
 
 std::vector<double> HarnessRun::values(const std::string& name, int component) {
   stepper_.executor().prepare(std::vector{name});
-  const Field* const field = world().fields.find(name);
+  const Field* const field = state().fields.find(name);
   if (field == nullptr)
     throw Error(ExitCode::bad_case,
                 fmt::format("this scene has no field '{}' (it has: {})", name, fmt::join(setup_->output_fields, ", ")));
   if (component < 0 || component >= field->components())
     throw Error(ExitCode::bad_case, fmt::format("the field '{}' has the components 0 to {}, not {}", name,
                                                 field->components() - 1, component));
-  return by_id(WorldView(world()).values(name, component));
+  return by_id(StateView(state()).values(name, component));
 }
 
 void HarnessRun::move(const std::function<double(double, double)>& x, const std::function<double(double, double)>& y) {
-  world().return_to_order();
-  Particles& particles = world().particles;
-  const auto at_x = WorldView(world()).position(0);
-  const auto at_y = WorldView(world()).position(1);
+  state().return_to_order();
+  Particles& particles = state().particles;
+  const auto at_x = StateView(state()).position(0);
+  const auto at_y = StateView(state()).position(1);
   for (std::size_t i = 0; i < at_x.size(); ++i) {
     particles.position[0][i] += x(at_x[i], at_y[i]);
     particles.position[1][i] += y(at_x[i], at_y[i]);
   }
   touched = true;
-  world().mark_moved();
-  world().settle();
+  state().mark_moved();
+  state().settle();
 }
 
-Work& HarnessRun::work(std::string_view pass) {
+ScheduledPass& HarnessRun::scheduled(std::string_view pass) {
   std::vector<std::string> titles;
-  for (Work& work : setup_->graph->works()) {
-    titles.push_back(work.pass.name);
-    if (work.pass.name == pass || work.title() == pass) return work;
+  for (ScheduledPass& scheduled : setup_->graph->passes()) {
+    titles.push_back(scheduled.pass.name);
+    if (scheduled.pass.name == pass || scheduled.title() == pass) return scheduled;
   }
   throw Error(ExitCode::bad_case,
               fmt::format("there is no pass '{}' in this scene (there are: {})", pass, fmt::join(titles, ", ")));

@@ -6,8 +6,8 @@
 #include <string>
 
 #include "given_fields.hpp"
-#include "simulation/observation.hpp"
-#include "simulation/stepper.hpp"
+#include "run/observation.hpp"
+#include "run/stepper.hpp"
 
 namespace mesogen::testing {
 
@@ -32,11 +32,11 @@ class HarnessRun {
   [[nodiscard]] std::vector<double> by_id(const std::vector<double>& stored);
   void move(const std::function<double(double, double)>& x, const std::function<double(double, double)>& y);
   /// A pass by its name, or by "instance: name".
-  [[nodiscard]] Work& work(std::string_view pass);
+  [[nodiscard]] ScheduledPass& scheduled(std::string_view pass);
 
   [[nodiscard]] Setup& setup() { return *setup_; }
   [[nodiscard]] Stepper& stepper() { return stepper_; }
-  [[nodiscard]] World& world() { return stepper_.world(); }
+  [[nodiscard]] State& state() { return stepper_.state(); }
   [[nodiscard]] std::vector<bool> all_readers() const { return std::vector<bool>(setup_->observers.size() + 1, true); }
   /// Has anything run here, so that giving it up would lose something?
   bool touched = false;

@@ -6,8 +6,8 @@
 #include <optional>
 
 #include "harness_run.hpp"
+#include "run/state_view.hpp"
 #include "scene_text.hpp"
-#include "simulation/world_view.hpp"
 #include "test_registry.hpp"
 
 namespace mesogen::testing {
@@ -22,7 +22,7 @@ class PluginHarness::Implementation {
   HarnessRun& run() {
     if (!run_) {
       run_ = std::make_unique<HarnessRun>(text_, registry_, given_, constants_, seed_);
-      run_->world().step_size = step_size_;
+      run_->state().step_size = step_size_;
     }
     return *run_;
   }
@@ -63,7 +63,7 @@ class PluginHarness::Implementation {
   }
   void set_step_size(double seconds) {
     step_size_ = seconds;
-    if (run_) run_->world().step_size = seconds;
+    if (run_) run_->state().step_size = seconds;
   }
   void shuffle(std::int64_t seed) { shuffled_by_ = seed; }
   [[nodiscard]] std::optional<std::int64_t> shuffled_by() const { return shuffled_by_; }
@@ -186,17 +186,17 @@ double PluginHarness::value(std::string_view field, int component, std::int64_t 
 
 std::vector<double> PluginHarness::position(int axis) {
   HarnessRun& run = implementation_->run();
-  return run.by_id(WorldView(run.world()).position(axis));
+  return run.by_id(StateView(run.state()).position(axis));
 }
 
 std::vector<double> PluginHarness::path(int axis) {
   HarnessRun& run = implementation_->run();
-  return run.by_id(WorldView(run.world()).unwrapped(axis));
+  return run.by_id(StateView(run.state()).unwrapped(axis));
 }
 
-double PluginHarness::time() { return implementation_->run().world().time; }
+double PluginHarness::time() { return implementation_->run().state().time; }
 
-std::int64_t PluginHarness::particles() { return implementation_->run().world().particles.count(); }
+std::int64_t PluginHarness::particles() { return implementation_->run().state().particles.count(); }
 
 Scene PluginHarness::scene() { return implementation_->run().setup().scene; }
 

@@ -10,7 +10,7 @@
 #include <charconv>
 #include <set>
 
-#include "case/nearest.hpp"
+#include "text/nearest.hpp"
 
 namespace mesogen::app {
 

@@ -10,8 +10,8 @@
 
 #include "mesogen/sph/pair_sum.hpp"
 #include "plugin/registry.hpp"
-#include "simulation/setup.hpp"
-#include "simulation/stepper.hpp"
+#include "run/setup.hpp"
+#include "run/stepper.hpp"
 #include "sph/standard_passes.hpp"
 
 namespace mesogen::bench {
@@ -49,9 +49,9 @@ class Bed {
     setup_ =
         set_up(read_case_text(text, "bed.toml", {}, problems), PluginRegistry::only({MESOGEN_BENCH_PLUGINS}), problems);
     stepper_ = std::make_unique<Stepper>(*setup_);
-    World& world = stepper_->world();
-    world.settle();
-    world.neighbourhood.fill(neighbours);
+    State& state = stepper_->state();
+    state.settle();
+    state.neighbourhood.fill(neighbours);
     const FieldView<Real> even = field(1);
     std::fill_n(even.base, count(), Real(setup_->scene.spacing * setup_->scene.spacing));
     volume = {even.base, even.stride};

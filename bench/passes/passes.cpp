@@ -96,7 +96,7 @@ using RadialMomentum = wcsph::Momentum<Real, 2, true, wcsph::PressureForm::corre
 template <class Real>
 using Diffusion = wcsph::DensityDiffusion<Real>;
 template <class Real>
-using AllOfWcsph = sph::Together<sph::Together<Shift<Real>, Momentum<Real>>, Diffusion<Real>>;
+using AllOfWcsph = sph::FusedPass<sph::FusedPass<Shift<Real>, Momentum<Real>>, Diffusion<Real>>;
 
 template <class Real, class Pass>
 void fill_shift(Bed<Real>& bed, Pass& pass) {

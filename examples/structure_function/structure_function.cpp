@@ -9,8 +9,8 @@
 #include <cmath>
 #include <optional>
 
-#include "mesogen/domain/point_cells.hpp"
 #include "mesogen/exec/compensated_sum.hpp"
+#include "mesogen/neighbours/point_cells.hpp"
 #include "mesogen/plugin/by_id.hpp"
 #include "mesogen/plugin/observer.hpp"
 #include "mesogen/plugin/plugin.hpp"

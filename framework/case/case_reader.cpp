@@ -5,9 +5,9 @@
 #include <utility>
 
 #include "case/framework_keys.hpp"
-#include "case/nearest.hpp"
 #include "case/toml_text.hpp"
 #include "case/value.hpp"
+#include "text/nearest.hpp"
 
 namespace mesogen {
 

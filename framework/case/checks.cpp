@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include "initial/arrangement.hpp"
+#include "particles/arrangement.hpp"
 
 namespace mesogen {
 

@@ -14,7 +14,7 @@ struct DeclaredKey {
   Parameter parameter;  ///< its target is null
   /// The default. None if the key is required, or if the variable holds what the key itself would refuse: its default
   /// then depends on other keys, and the doc text tells how.
-  std::optional<Value> standard;
+  std::optional<Value> default_value;
 };
 
 /// To be called before a case is read into the targets.

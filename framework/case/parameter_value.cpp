@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "case/nearest.hpp"
 #include "case/toml_text.hpp"
+#include "text/nearest.hpp"
 
 namespace mesogen {
 

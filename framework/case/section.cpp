@@ -4,10 +4,10 @@
 #include <set>
 #include <utility>
 
-#include "case/nearest.hpp"
 #include "case/parameter_value.hpp"
 #include "case/toml_text.hpp"
 #include "case/value.hpp"
+#include "text/nearest.hpp"
 
 namespace mesogen {
 

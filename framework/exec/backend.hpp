@@ -7,10 +7,10 @@
 
 #include "exec/memory.hpp"
 #include "ghosts/views.hpp"
-#include "mesogen/domain/neighbours.hpp"
 #include "mesogen/exec/for_each.hpp"
 #include "mesogen/export.hpp"
-#include "mesogen/field/view.hpp"
+#include "mesogen/neighbours/neighbours.hpp"
+#include "mesogen/particles/field_view.hpp"
 #include "mesogen/sph/kernel_function.hpp"
 
 namespace mesogen {

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "domain/cell_grid.hpp"
 #include "exec/backend.hpp"
 #include "exec/largest.hpp"
+#include "neighbours/cell_grid.hpp"
 
 /// Particles and the cells that hold them.
 namespace mesogen::exec {

@@ -6,7 +6,7 @@
 #include "mesogen/exec/blocks.hpp"
 #include "mesogen/exec/for_each.hpp"
 #include "mesogen/exec/subnormals.hpp"
-#include "mesogen/exec/turns.hpp"
+#include "mesogen/exec/work_stealing.hpp"
 
 namespace mesogen::exec {
 
@@ -113,7 +113,7 @@ Finding find_largest(const Space& space, Findings& findings, Index count, const 
   double* const largest = findings.host(finding);
   for (int n = 0; n < Count; ++n) largest[n] = 0.0;
   const Blocks blocks(count);
-  Turns turns(blocks.number());
+  WorkStealing turns(blocks.number());
 #pragma omp parallel
   {
     [[maybe_unused]] const FlushSubnormals flush;

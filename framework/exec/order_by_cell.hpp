@@ -3,7 +3,7 @@
 #include <cstdint>
 
 #include "mesogen/export.hpp"
-#include "mesogen/field/view.hpp"
+#include "mesogen/particles/field_view.hpp"
 
 namespace mesogen::exec {
 

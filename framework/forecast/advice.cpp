@@ -5,7 +5,7 @@
 #include <string>
 
 #include "forecast/advice_rules.hpp"
-#include "initial/arrangement.hpp"
+#include "particles/arrangement.hpp"
 #include "plugin/plugin_call.hpp"
 
 namespace mesogen {

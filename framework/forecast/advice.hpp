@@ -5,7 +5,7 @@
 #include "forecast/steps.hpp"
 #include "mesogen/export.hpp"
 #include "mesogen/plugin/advice.hpp"
-#include "simulation/setup.hpp"
+#include "run/setup.hpp"
 
 namespace mesogen {
 

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "mesogen/export.hpp"
-#include "simulation/setup.hpp"
+#include "run/setup.hpp"
 
 /// What frames and checkpoints of a run take of a disk.
 namespace mesogen {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <set>
 
-#include "domain/neighbourhood.hpp"
-#include "simulation/planned_fields.hpp"
+#include "neighbours/neighbourhood.hpp"
+#include "run/planned_fields.hpp"
 
 namespace mesogen {
 

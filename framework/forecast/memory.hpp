@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "mesogen/export.hpp"
-#include "simulation/setup.hpp"
+#include "run/setup.hpp"
 
 namespace mesogen {
 

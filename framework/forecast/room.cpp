@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "initial/arrangement.hpp"
 #include "mesogen/diagnostics/error.hpp"
+#include "particles/arrangement.hpp"
 
 namespace mesogen {
 

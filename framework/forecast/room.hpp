@@ -10,7 +10,7 @@
 #include "forecast/memory.hpp"
 #include "forecast/steps.hpp"
 #include "mesogen/export.hpp"
-#include "simulation/setup.hpp"
+#include "run/setup.hpp"
 
 /// What of a run is more than this machine has: told before anything is written, with what would fit.
 namespace mesogen {

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "simulation/marks_of.hpp"
+#include "run/marks_of.hpp"
 #include "time/step_control.hpp"
 
 namespace mesogen {

@@ -5,7 +5,7 @@
 
 #include "mesogen/export.hpp"
 #include "mesogen/plugin/step_limits.hpp"
-#include "simulation/setup.hpp"
+#include "run/setup.hpp"
 
 namespace mesogen {
 

@@ -13,8 +13,8 @@
 #include "forecast/memory.hpp"
 #include "output/checkpoint_file.hpp"
 #include "output/frame.hpp"
-#include "simulation/observation.hpp"
-#include "simulation/stepper.hpp"
+#include "run/observation.hpp"
+#include "run/stepper.hpp"
 
 namespace mesogen {
 
@@ -59,9 +59,9 @@ class Rehearsal {
 
   /// One step, with these readers due at its end; s.
   double step(const std::vector<bool>& due) {
-    if (stepper_->world().time >= end()) begin_again();
+    if (stepper_->state().time >= end()) begin_again();
     return seconds([&] {
-      const double now = stepper_->world().time;
+      const double now = stepper_->state().time;
       stepper_->advance(stepper_->next_step(std::min(end(), now + longest_)), due);
       observe(due);
     });
@@ -78,7 +78,7 @@ class Rehearsal {
   }
 
   double sorting() {
-    return seconds([&] { stepper_->world().sort_anew(); });
+    return seconds([&] { stepper_->state().sort_anew(); });
   }
 
   /// Making the bytes of a checkpoint; s.
@@ -92,10 +92,10 @@ class Rehearsal {
   }
 
   [[nodiscard]] std::size_t readers() const { return setup_->observers.size() + 1; }
-  [[nodiscard]] std::int64_t sortings() { return sorted_before_ + stepper_->world().neighbourhood.sortings(); }
+  [[nodiscard]] std::int64_t sortings() { return sorted_before_ + stepper_->state().neighbourhood.sortings(); }
   /// Processor time of stepping and of all else, but for beginning again; s.
   [[nodiscard]] double cpu() const { return cpu_seconds() - cpu_of_beginning_again_; }
-  [[nodiscard]] double skin() { return stepper_->world().neighbourhood.skin(); }
+  [[nodiscard]] double skin() { return stepper_->state().neighbourhood.skin(); }
   [[nodiscard]] double fastest() const { return stepper_->fastest(); }
 
  private:
@@ -122,7 +122,7 @@ class Rehearsal {
     make_parts();
     longest_ = end() / (most_steps + 10.0 * static_cast<double>(readers()));
     start();
-    sorted_before_ -= stepper_->world().neighbourhood.sortings();
+    sorted_before_ -= stepper_->state().neighbourhood.sortings();
     cpu_of_beginning_again_ += cpu_seconds() - cpu_before;
   }
 

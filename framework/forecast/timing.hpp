@@ -5,7 +5,7 @@
 
 #include "forecast/steps.hpp"
 #include "mesogen/export.hpp"
-#include "simulation/setup.hpp"
+#include "run/setup.hpp"
 
 namespace mesogen {
 

@@ -5,11 +5,11 @@
 #include <string>
 #include <vector>
 
-#include "domain/neighbourhood.hpp"
-#include "field/field.hpp"
 #include "ghosts/rule_table.hpp"
 #include "mesogen/plugin/boundary.hpp"
 #include "mesogen/sph/kernel_function.hpp"
+#include "neighbours/neighbourhood.hpp"
+#include "particles/field.hpp"
 
 namespace mesogen {
 

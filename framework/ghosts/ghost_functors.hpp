@@ -1,8 +1,8 @@
 #pragma once
 
-#include "domain/cell_grid.hpp"
 #include "exec/backend.hpp"
 #include "ghosts/images.hpp"
+#include "neighbours/cell_grid.hpp"
 
 /// How ghosts are made: particle by particle each counts its images that the box can see, a running sum of the counts
 /// tells where it writes them, and the ghosts are then put in order by cell. So their order does not depend on the

@@ -3,11 +3,11 @@
 #include <array>
 #include <cstdint>
 
-#include "domain/cell_grid.hpp"
 #include "exec/backend.hpp"
 #include "exec/memory.hpp"
 #include "ghosts/images.hpp"
 #include "mesogen/export.hpp"
+#include "neighbours/cell_grid.hpp"
 
 namespace mesogen {
 

@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "mesogen/field/view.hpp"
+#include "mesogen/particles/field_view.hpp"
 #include "mesogen/plugin/affine_rule.hpp"
 
 /// Ghosts, wall particles and rules as loops see them. Trivially copyable.

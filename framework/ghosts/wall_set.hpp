@@ -3,12 +3,12 @@
 #include <array>
 #include <vector>
 
-#include "domain/cell_grid.hpp"
 #include "exec/memory.hpp"
 #include "ghosts/views.hpp"
 #include "mesogen/export.hpp"
 #include "mesogen/plugin/boundary.hpp"
 #include "mesogen/plugin/scene.hpp"
+#include "neighbours/cell_grid.hpp"
 
 namespace mesogen {
 

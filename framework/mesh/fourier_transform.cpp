@@ -38,7 +38,7 @@ struct ColumnPlans {
   void execute(int direction, Complex* modes) const {
     const int groups = (stride + columns - 1) / columns;
     const std::ptrdiff_t bundle = static_cast<std::ptrdiff_t>(count) * stride;
-#pragma omp parallel for collapse(2) schedule(static) if (outer * bundle >= few)
+#pragma omp parallel for collapse(2) schedule(static) if (outer * bundle >= parallel_threshold)
     for (int o = 0; o < outer; ++o) {
       for (int g = 0; g < groups; ++g) {
         Complex* const from = modes + o * bundle + static_cast<std::ptrdiff_t>(g) * columns;
@@ -107,7 +107,7 @@ FourierTransform::~FourierTransform() = default;
 void FourierTransform::forward(const double* values, Complex* modes) {
   const Plans& plans = *plans_;
   const double scale = 1.0 / (static_cast<double>(plans.points[0]) * plans.rows);
-#pragma omp parallel for schedule(static) if (plans.rows * plans.modes_in_row >= few)
+#pragma omp parallel for schedule(static) if (plans.rows * plans.modes_in_row >= parallel_threshold)
   for (int row = 0; row < plans.rows; ++row) {
     Complex* const to = modes + static_cast<std::ptrdiff_t>(row) * plans.modes_in_row;
     // FFTW leaves what it reads as it is when a transform goes elsewhere, as this one does.
@@ -121,7 +121,7 @@ void FourierTransform::forward(const double* values, Complex* modes) {
 void FourierTransform::backward(Complex* modes, double* values) {
   const Plans& plans = *plans_;
   for (auto axis = plans.axes.rbegin(); axis != plans.axes.rend(); ++axis) axis->execute(1, modes);
-#pragma omp parallel for schedule(static) if (plans.rows * plans.modes_in_row >= few)
+#pragma omp parallel for schedule(static) if (plans.rows * plans.modes_in_row >= parallel_threshold)
   for (int row = 0; row < plans.rows; ++row)
     fftw_execute_dft_c2r(plans.row_backward, raw(modes + static_cast<std::ptrdiff_t>(row) * plans.modes_in_row),
                          values + static_cast<std::ptrdiff_t>(row) * plans.points[0]);

@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "mesogen/field/rank.hpp"
+#include "mesogen/particles/rank.hpp"
 #include "output/hdf5.hpp"
 
 /// What a dataset of results says of its values.

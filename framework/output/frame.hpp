@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "mesogen/export.hpp"
-#include "mesogen/field/rank.hpp"
+#include "mesogen/particles/rank.hpp"
 
 namespace mesogen {
 

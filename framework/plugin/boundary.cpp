@@ -1,6 +1,6 @@
 #include "mesogen/plugin/boundary.hpp"
 
-#include "mesogen/domain/periodic.hpp"
+#include "mesogen/particles/periodic.hpp"
 
 namespace mesogen {
 

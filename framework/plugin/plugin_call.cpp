@@ -2,7 +2,7 @@
 
 #include <new>
 
-#include "plugin/call_text.hpp"
+#include "text/call_text.hpp"
 
 namespace mesogen {
 

@@ -10,11 +10,11 @@
 #include <system_error>
 #include <tuple>
 
-#include "case/nearest.hpp"
 #include "plugin/instruction_set.hpp"
 #include "plugin/loader.hpp"
 #include "plugin/named_boundary.hpp"
 #include "plugin/plugin_call.hpp"
+#include "text/nearest.hpp"
 
 namespace mesogen {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "mesogen/export.hpp"
-#include "mesogen/field/kind.hpp"
+#include "mesogen/particles/field_kind.hpp"
 #include "mesogen/plugin/passes.hpp"
 
 namespace mesogen {

@@ -30,21 +30,21 @@ struct DerivedFields::Weights {
 
 DerivedFields::~DerivedFields() = default;
 
-DerivedFields::DerivedFields(World& world, const Catalogue& catalogue, const std::set<std::string>& for_integration,
+DerivedFields::DerivedFields(State& state, const Catalogue& catalogue, const std::set<std::string>& for_integration,
                              const std::vector<std::set<std::string>>& for_readers, const Form& form)
-    : world_(world), form_(form) {
+    : state_(state), form_(form) {
   std::set<std::string> all = for_integration;
   for (const auto& reader : for_readers) all.insert(reader.begin(), reader.end());
   if (all.empty()) return;
 
-  world_.add_field("volume", 1, false).kind = catalogue.kind("volume", "");
+  state_.add_field("volume", 1, false).kind = catalogue.kind("volume", "");
   PairPass volume;
   volume.volume = true;
   volume.counter.title = "framework: volume";
   passes_.push_back(std::move(volume));
   pass_of_["volume"] = {0};
   for (const std::string& field : all)
-    if (field != "volume") world_.add_field(field, catalogue.components(field), false).kind = catalogue.kind(field, "");
+    if (field != "volume") state_.add_field(field, catalogue.components(field), false).kind = catalogue.kind(field, "");
 
   const auto note = [](Wanted& wanted, const std::string& field) {
     const DerivedName derived = derived_name(field);
@@ -75,9 +75,9 @@ DerivedFields::DerivedFields(World& world, const Catalogue& catalogue, const std
 void DerivedFields::add_passes(const Wanted& wanted, bool correction, bool at_each_step) {
   std::vector<Component> components;
   for (const auto& [source, kinds] : wanted) {
-    Field& field = world_.fields.at(source);
-    Field* const gradient = kinds.first ? &world_.fields.at(source + "_gradient") : nullptr;
-    Field* const laplacian = kinds.second ? &world_.fields.at(source + "_laplacian") : nullptr;
+    Field& field = state_.fields.at(source);
+    Field* const gradient = kinds.first ? &state_.fields.at(source + "_gradient") : nullptr;
+    Field* const laplacian = kinds.second ? &state_.fields.at(source + "_laplacian") : nullptr;
     for (int c = 0; c < field.components(); ++c) components.push_back({&field, c, gradient, laplacian});
   }
   for (std::size_t from = 0; from < components.size() || correction; from += most_components) {
@@ -86,7 +86,7 @@ void DerivedFields::add_passes(const Wanted& wanted, bool correction, bool at_ea
       pass.components.push_back(components[n]);
     std::set<std::string> made;
     if (correction) {
-      pass.correction = &world_.fields.at("correction");
+      pass.correction = &state_.fields.at("correction");
       made.insert("correction");
       correction = false;
     }
@@ -100,7 +100,7 @@ void DerivedFields::add_passes(const Wanted& wanted, bool correction, bool at_ea
     }
     pass.sources.assign(pass.components.size(), 0);
     // A device computes a weight faster than it reads one.
-    const bool on_host = world_.backend.on_host();
+    const bool on_host = state_.backend.on_host();
     if (on_host && at_each_step && !form_.particles_move && !pass.components.empty())
       pass.weights = std::make_unique<Weights>();
     pass.finding.title = "framework: weights of " + pass.counter.title;
@@ -110,7 +110,7 @@ void DerivedFields::add_passes(const Wanted& wanted, bool correction, bool at_ea
 }
 
 bool DerivedFields::stale(const PairPass& pass) const {
-  if (pass.positions != world_.neighbourhood.version()) return true;
+  if (pass.positions != state_.neighbourhood.version()) return true;
   for (std::size_t n = 0; n < pass.components.size(); ++n)
     if (pass.sources[n] != pass.components[n].source->version) return true;
   return false;
@@ -127,16 +127,16 @@ void DerivedFields::make(const std::string& field) {
 
 void DerivedFields::run(PairPass& pass) {
   if (!pass.volume) make("volume");
-  if (!pass.volume) world_.refresh_boundary(world_.fields.at("volume"));
-  for (const Component& component : pass.components) world_.refresh_boundary(*component.source);
-  const Span span(pass.counter, world_.trace);
-  if (world_.single()) {
+  if (!pass.volume) state_.refresh_boundary(state_.fields.at("volume"));
+  for (const Component& component : pass.components) state_.refresh_boundary(*component.source);
+  const Span span(pass.counter, state_.trace);
+  if (state_.single()) {
     run_pair_sums<float, 2>(pass);
   } else {
     run_pair_sums<double, 2>(pass);
   }
-  world_.end_of_work();
-  pass.positions = world_.neighbourhood.version();
+  state_.end_of_work();
+  pass.positions = state_.neighbourhood.version();
   for (std::size_t n = 0; n < pass.components.size(); ++n) {
     const Component& component = pass.components[n];
     pass.sources[n] = component.source->version;
@@ -144,17 +144,17 @@ void DerivedFields::run(PairPass& pass) {
     if (component.laplacian != nullptr) ++component.laplacian->version;
   }
   if (pass.correction != nullptr) ++pass.correction->version;
-  if (pass.volume) ++world_.fields.at("volume").version;
+  if (pass.volume) ++state_.fields.at("volume").version;
 }
 
 template <class Real, int Dim>
 void DerivedFields::run_pair_sums(PairPass& pass) {
   Neighbours<Real, Dim> neighbours{};
-  world_.neighbourhood.fill(neighbours);
-  const exec::Loops<Real>& loops = world_.backend.loops<Real>();
-  const FieldView<Real> volume = world_.fields.at("volume").view<Real>();
+  state_.neighbourhood.fill(neighbours);
+  const exec::Loops<Real>& loops = state_.backend.loops<Real>();
+  const FieldView<Real> volume = state_.fields.at("volume").view<Real>();
   if (pass.volume) {
-    loops.volumes(neighbours, world_.kernel, volume);
+    loops.volumes(neighbours, state_.kernel, volume);
     return;
   }
   sph::Derivatives<Real, Dim> wanted{};
@@ -169,14 +169,14 @@ void DerivedFields::run_pair_sums(PairPass& pass) {
       wanted.laplacian[n] = component.laplacian->view<Real>().component(component.index);
   }
   wanted.consistent = form_.consistent_laplacian;
-  const bool new_positions = pass.positions != world_.neighbourhood.version();
+  const bool new_positions = pass.positions != state_.neighbourhood.version();
   if (pass.correction != nullptr && (new_positions || !pass.weights)) wanted.correction = pass.correction->view<Real>();
-  if (!pass.weights || wanted.correction) loops.derivatives(neighbours, world_.kernel, wanted);
+  if (!pass.weights || wanted.correction) loops.derivatives(neighbours, state_.kernel, wanted);
   if (!pass.weights) return;
   auto& weights = pass.weights->of<Real>();
   if (new_positions) {
-    const Span span(pass.finding, world_.trace);
-    sph::find_weights<Real, Dim>(neighbours, world_.kernel, wanted, weights);
+    const Span span(pass.finding, state_.trace);
+    sph::find_weights<Real, Dim>(neighbours, state_.kernel, wanted, weights);
   }
   sph::derivatives<Real, Dim>(exec::Space{}, neighbours, weights, wanted);
 }

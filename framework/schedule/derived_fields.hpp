@@ -9,7 +9,7 @@
 
 #include "mesogen/export.hpp"
 #include "schedule/catalogue.hpp"
-#include "schedule/world.hpp"
+#include "schedule/state.hpp"
 
 namespace mesogen {
 
@@ -23,7 +23,7 @@ class MESOGEN_EXPORT DerivedFields {
     bool consistent_laplacian = false;
     bool particles_move = true;
   };
-  DerivedFields(World& world, const Catalogue& catalogue, const std::set<std::string>& for_integration,
+  DerivedFields(State& state, const Catalogue& catalogue, const std::set<std::string>& for_integration,
                 const std::vector<std::set<std::string>>& for_readers, const Form& form);
   DerivedFields(const DerivedFields&) = delete;
   DerivedFields& operator=(const DerivedFields&) = delete;
@@ -61,7 +61,7 @@ class MESOGEN_EXPORT DerivedFields {
   template <class Real, int Dim>
   void run_pair_sums(PairPass& pass);
 
-  World& world_;
+  State& state_;
   Form form_;
   std::vector<PairPass> passes_;
   std::map<std::string, std::vector<std::size_t>> pass_of_;

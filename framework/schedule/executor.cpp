@@ -16,51 +16,53 @@ bool contains(const std::vector<std::string>& list, std::string_view what) {
   return std::find(list.begin(), list.end(), what) != list.end();
 }
 
-class WorkContext final : public PassContext {
+class ScheduledContext final : public PassContext {
  public:
-  WorkContext(World& world, const Work& work) : world_(world), work_(work) {}
+  ScheduledContext(State& state, const ScheduledPass& scheduled) : state_(state), scheduled_(scheduled) {}
 
-  [[nodiscard]] bool has(std::string_view field) const override { return world_.fields.find(field) != nullptr; }
-  [[nodiscard]] const sph::SmoothingKernel& kernel() const override { return world_.kernel; }
-  [[nodiscard]] const Scene& scene() const override { return world_.scene; }
-  [[nodiscard]] exec::Space space() const override { return work_.on_device ? world_.backend.space() : exec::Space{}; }
-  [[nodiscard]] Index count() const override { return world_.particles.count(); }
-  [[nodiscard]] const double* position(int axis) const override { return world_.particles.position[axis].data(); }
-  [[nodiscard]] std::uint64_t positions_version() const override { return world_.positions_version(); }
-  [[nodiscard]] const std::int64_t* id() const override { return world_.particles.id.data(); }
-  [[nodiscard]] double time() const override { return world_.time; }
-  [[nodiscard]] double step_size() const override { return world_.step_size; }
-  [[nodiscard]] std::int64_t step() const override { return world_.step; }
+  [[nodiscard]] bool has(std::string_view field) const override { return state_.fields.find(field) != nullptr; }
+  [[nodiscard]] const sph::SmoothingKernel& kernel() const override { return state_.kernel; }
+  [[nodiscard]] const Scene& scene() const override { return state_.scene; }
+  [[nodiscard]] exec::Space space() const override {
+    return scheduled_.on_device ? state_.backend.space() : exec::Space{};
+  }
+  [[nodiscard]] Index count() const override { return state_.particles.count(); }
+  [[nodiscard]] const double* position(int axis) const override { return state_.particles.position[axis].data(); }
+  [[nodiscard]] std::uint64_t positions_version() const override { return state_.positions_version(); }
+  [[nodiscard]] const std::int64_t* id() const override { return state_.particles.id.data(); }
+  [[nodiscard]] double time() const override { return state_.time; }
+  [[nodiscard]] double step_size() const override { return state_.step_size; }
+  [[nodiscard]] std::int64_t step() const override { return state_.step; }
 
  protected:
   [[nodiscard]] RawField readable(std::string_view field, std::size_t element_size) const override {
-    const Pass& pass = work_.pass;
+    const Pass& pass = scheduled_.pass;
     if (!contains(pass.own_reads, field) && !contains(pass.neighbour_reads, field) &&
         !contains(pass.optional_reads, field))
       refuse("reads", field, "reads, reads_neighbours or reads_if_present");
     return raw(field, element_size);
   }
   [[nodiscard]] RawField writable(std::string_view field, std::size_t element_size) const override {
-    if (!contains(work_.pass.write_list, field) && !contains(work_.pass.accumulate_list, field))
+    if (!contains(scheduled_.pass.write_list, field) && !contains(scheduled_.pass.accumulate_list, field))
       refuse("writes", field, "writes or accumulates");
     return raw(field, element_size);
   }
   void fill_neighbours(void* grid, std::size_t element_size, int dimension) const override {
-    if (dimension != world_.scene.dimension || (element_size == sizeof(float)) != world_.single())
+    if (dimension != state_.scene.dimension || (element_size == sizeof(float)) != state_.single())
       throw Error(ExitCode::plugin_refused,
                   "it asks for neighbours of another precision or dimension: take those of its class, Real and Dim");
     // Whether they happen to be up to date for somebody else's pass does not count: a plugin that works beside one and
     // not beside another would be no plugin.
-    const Pass& pass = work_.pass;
-    if (pass.neighbour_reads.empty() && !(pass.beside_sums && world_.settled()))
+    const Pass& pass = scheduled_.pass;
+    if (pass.neighbour_reads.empty() && !(pass.beside_sums && state_.settled()))
       throw Error(ExitCode::plugin_refused,
                   "it asks for neighbours, and declares none that it reads: name the fields that it reads at them in "
                   "the pass's reads_neighbours");
-    const Neighbourhood& all = world_.neighbourhood;
-    if (dimension == 2 && world_.single()) all.fill(*static_cast<Neighbours<float, 2>*>(grid));
-    if (dimension == 2 && !world_.single()) all.fill(*static_cast<Neighbours<double, 2>*>(grid));
-    if (dimension == 3 && world_.single()) all.fill(*static_cast<Neighbours<float, 3>*>(grid));
-    if (dimension == 3 && !world_.single()) all.fill(*static_cast<Neighbours<double, 3>*>(grid));
+    const Neighbourhood& all = state_.neighbourhood;
+    if (dimension == 2 && state_.single()) all.fill(*static_cast<Neighbours<float, 2>*>(grid));
+    if (dimension == 2 && !state_.single()) all.fill(*static_cast<Neighbours<double, 2>*>(grid));
+    if (dimension == 3 && state_.single()) all.fill(*static_cast<Neighbours<float, 3>*>(grid));
+    if (dimension == 3 && !state_.single()) all.fill(*static_cast<Neighbours<double, 3>*>(grid));
   }
 
  private:
@@ -69,7 +71,7 @@ class WorkContext final : public PassContext {
                                               "', which it did not declare: name it in the pass's " + declarations);
   }
   [[nodiscard]] RawField raw(std::string_view name, std::size_t element_size) const {
-    Field* const field = world_.fields.find(name);
+    Field* const field = state_.fields.find(name);
     if (field == nullptr)
       throw Error(ExitCode::plugin_refused,
                   "it asks for the field '" + std::string(name) + "', which this scene has not: ask has() first");
@@ -84,81 +86,82 @@ class WorkContext final : public PassContext {
     return {view.base, view.stride};
   }
 
-  World& world_;
-  const Work& work_;
+  State& state_;
+  const ScheduledPass& scheduled_;
 };
 
 }  // namespace
 
-Executor::Executor(World& world, StepGraph& graph, DerivedFields& derived)
-    : world_(world), graph_(graph), derived_(derived) {
-  for (Work& work : graph_.works())
-    if (work.pass.phase == Phase::observe) observed_.push_back({&work, 0, {}});
+Executor::Executor(State& state, StepGraph& graph, DerivedFields& derived)
+    : state_(state), graph_(graph), derived_(derived) {
+  for (ScheduledPass& scheduled : graph_.passes())
+    if (scheduled.pass.phase == Phase::observe) observed_.push_back({&scheduled, 0, {}});
   // Whose code runs on the host looks for neighbours there.
-  if (!world_.backend.on_host())
-    world_.neighbourhood.find_blocks_for_host(std::any_of(
-        graph_.works().begin(), graph_.works().end(),
-        [](const Work& work) { return !work.on_device && !work.pass.neighbour_reads.empty() && !work.pruned(); }));
+  if (!state_.backend.on_host())
+    state_.neighbourhood.find_blocks_for_host(
+        std::any_of(graph_.passes().begin(), graph_.passes().end(), [](const ScheduledPass& scheduled) {
+          return !scheduled.on_device && !scheduled.pass.neighbour_reads.empty() && !scheduled.pruned();
+        }));
 }
 
 void Executor::run(Phase phase, const std::vector<bool>& reader_due) {
   const auto& order = graph_.order(phase);
   std::vector<std::size_t> due;
   for (const std::size_t n : order) {
-    const Work& work = graph_.works()[n];
-    bool wanted = work.for_integration;
-    for (std::size_t r = 0; r < reader_due.size() && !wanted; ++r) wanted = reader_due[r] && work.for_observer[r];
+    const ScheduledPass& scheduled = graph_.passes()[n];
+    bool wanted = scheduled.for_integration;
+    for (std::size_t r = 0; r < reader_due.size() && !wanted; ++r) wanted = reader_due[r] && scheduled.for_observer[r];
     if (wanted) due.push_back(n);
   }
   // Particles are sorted as the integration goes, whether or not somebody reads.
-  const auto integrates = [this](std::size_t n) { return graph_.works()[n].for_integration; };
+  const auto integrates = [this](std::size_t n) { return graph_.passes()[n].for_integration; };
   if (graph_.sums_pairs() && std::any_of(due.begin(), due.end(), integrates)) settle(Purpose::integration);
   // What a pass of this phase writes, others add to; the rest starts from zero.
   std::set<std::string_view> begun;
   for (const std::size_t n : due)
-    for (const std::string& field : graph_.works()[n].pass.write_list) begun.insert(field);
+    for (const std::string& field : graph_.passes()[n].pass.write_list) begun.insert(field);
   for (const std::size_t n : due) {
-    Work& work = graph_.works()[n];
-    for (const std::string& field : work.pass.accumulate_list)
-      if (begun.insert(field).second) world_.fields.at(field).fill_zero();
-    run(work);
+    ScheduledPass& scheduled = graph_.passes()[n];
+    for (const std::string& field : scheduled.pass.accumulate_list)
+      if (begun.insert(field).second) state_.fields.at(field).fill_zero();
+    run(scheduled);
   }
 }
 
-void Executor::run_alone(Work& work) {
-  world_.settle();
-  run(work);
+void Executor::run_alone(ScheduledPass& scheduled) {
+  state_.settle();
+  run(scheduled);
 }
 
-void Executor::settle(Purpose purpose) { purpose == Purpose::reading ? world_.settle_for_reader() : world_.settle(); }
+void Executor::settle(Purpose purpose) { purpose == Purpose::reading ? state_.settle_for_reader() : state_.settle(); }
 
-void Executor::run(Work& work) {
-  const Purpose purpose = work.for_integration ? Purpose::integration : Purpose::reading;
-  if (purpose == Purpose::integration) world_.return_to_order();
-  if (!work.pass.neighbour_reads.empty()) settle(purpose);
-  for (const std::string& field : work.pass.own_reads) prepare(field, purpose);
-  for (const std::string& field : work.pass.optional_reads)
-    if (world_.fields.find(field) != nullptr) prepare(field, purpose);
-  for (const std::string& field : work.pass.neighbour_reads) {
+void Executor::run(ScheduledPass& scheduled) {
+  const Purpose purpose = scheduled.for_integration ? Purpose::integration : Purpose::reading;
+  if (purpose == Purpose::integration) state_.return_to_order();
+  if (!scheduled.pass.neighbour_reads.empty()) settle(purpose);
+  for (const std::string& field : scheduled.pass.own_reads) prepare(field, purpose);
+  for (const std::string& field : scheduled.pass.optional_reads)
+    if (state_.fields.find(field) != nullptr) prepare(field, purpose);
+  for (const std::string& field : scheduled.pass.neighbour_reads) {
     prepare(field, purpose);
-    world_.refresh_boundary(world_.fields.at(field));
+    state_.refresh_boundary(state_.fields.at(field));
   }
-  if (!work.on_device) world_.backend.finish();
-  const Span span(work.counter, world_.trace);
-  const PluginCall call{.plugin = work.plugin,
+  if (!scheduled.on_device) state_.backend.finish();
+  const Span span(scheduled.counter, state_.trace);
+  const PluginCall call{.plugin = scheduled.plugin,
                         .call = "pass",
-                        .subject = work.pass.name,
-                        .instance = work.owner,
-                        .step = &world_.step,
-                        .time = &world_.time,
-                        .time_unit = world_.units.time};
+                        .subject = scheduled.pass.name,
+                        .instance = scheduled.owner,
+                        .step = &state_.step,
+                        .time = &state_.time,
+                        .time_unit = state_.units.time};
   call_plugin(call, ExitCode::run_failed, [&] {
-    work.pass.body(WorkContext(world_, work));
-    world_.end_of_work();
+    scheduled.pass.body(ScheduledContext(state_, scheduled));
+    state_.end_of_work();
   });
-  for (const std::string& field : work.pass.write_list)
-    if (Field* const written = world_.fields.find(field)) ++written->version;
-  for (const std::string& field : work.pass.accumulate_list) ++world_.fields.at(field).version;
+  for (const std::string& field : scheduled.pass.write_list)
+    if (Field* const written = state_.fields.find(field)) ++written->version;
+  for (const std::string& field : scheduled.pass.accumulate_list) ++state_.fields.at(field).version;
 }
 
 void Executor::prepare(const std::string& field, Purpose purpose) {
@@ -169,12 +172,12 @@ void Executor::prepare(const std::string& field, Purpose purpose) {
 
 void Executor::prepare(const std::vector<std::string>& fields) {
   for (const std::string& field : fields) prepare_for_reader(field);
-  world_.backend.finish();
+  state_.backend.finish();
 }
 
 void Executor::prepare_for_reader(const std::string& field) {
   const auto made = std::find_if(observed_.begin(), observed_.end(), [&](const Observed& observed) {
-    return contains(observed.work->pass.write_list, field);
+    return contains(observed.scheduled->pass.write_list, field);
   });
   if (made != observed_.end()) return observe(*made);
   // A gradient of what is made for readers.
@@ -185,7 +188,7 @@ void Executor::prepare_for_reader(const std::string& field) {
 
 // Only if particles, what it reads or what it wrote are no longer as they were: another pass may have written that.
 void Executor::observe(Observed& observed) {
-  const Pass& pass = observed.work->pass;
+  const Pass& pass = observed.scheduled->pass;
   const auto bring = [&](const std::vector<std::string>& sources) {
     for (const std::string& name : sources)
       if (!contains(pass.write_list, name)) prepare_for_reader(name);
@@ -196,7 +199,7 @@ void Executor::observe(Observed& observed) {
     std::map<std::string, std::uint64_t> all;
     const auto note = [&](const std::vector<std::string>& names) {
       for (const std::string& name : names)
-        if (const Field* const field = world_.fields.find(name)) all[name] = field->version;
+        if (const Field* const field = state_.fields.find(name)) all[name] = field->version;
     };
     note(pass.own_reads);
     note(pass.neighbour_reads);
@@ -204,9 +207,9 @@ void Executor::observe(Observed& observed) {
     note(pass.write_list);
     return all;
   };
-  if (observed.positions == world_.positions_version() && observed.versions == versions()) return;
-  run(*observed.work);
-  observed.positions = world_.positions_version();
+  if (observed.positions == state_.positions_version() && observed.versions == versions()) return;
+  run(*observed.scheduled);
+  observed.positions = state_.positions_version();
   observed.versions = versions();
 }
 

@@ -7,8 +7,8 @@
 
 #include "mesogen/export.hpp"
 #include "schedule/derived_fields.hpp"
+#include "schedule/state.hpp"
 #include "schedule/step_graph.hpp"
-#include "schedule/world.hpp"
 
 namespace mesogen {
 
@@ -16,12 +16,12 @@ namespace mesogen {
 /// accumulators are zeroed before the first pass adds to them.
 class MESOGEN_EXPORT Executor {
  public:
-  Executor(World& world, StepGraph& graph, DerivedFields& derived);
+  Executor(State& state, StepGraph& graph, DerivedFields& derived);
 
   /// All passes of a phase that the integration needs, or a reader that is due at the end of this step.
   void run(Phase phase, const std::vector<bool>& reader_due);
   /// One pass by itself, a member of the graph's works; what it adds to keeps its value before.
-  void run_alone(Work& work);
+  void run_alone(ScheduledPass& scheduled);
   /// Brings what a reader reads up to date, as far as that follows from the state alone: derived fields, and what
   /// passes of Phase::observe make. The host may look at it then.
   void prepare(const std::vector<std::string>& fields);
@@ -29,7 +29,7 @@ class MESOGEN_EXPORT Executor {
  private:
   /// A pass of Phase::observe, and as of when what it made stands.
   struct Observed {
-    Work* work;
+    ScheduledPass* scheduled;
     std::uint64_t positions = 0;
     std::map<std::string, std::uint64_t> versions;  // of what it reads and writes
   };
@@ -37,13 +37,13 @@ class MESOGEN_EXPORT Executor {
   /// What is done for readers leaves no trace in the integration.
   enum class Purpose { integration, reading };
 
-  void run(Work& work);
+  void run(ScheduledPass& scheduled);
   void settle(Purpose purpose);
   void prepare(const std::string& field, Purpose purpose);
   void prepare_for_reader(const std::string& field);
   void observe(Observed& observed);
 
-  World& world_;
+  State& state_;
   StepGraph& graph_;
   DerivedFields& derived_;
   std::vector<Observed> observed_;

@@ -21,11 +21,11 @@ std::string_view name_of(Phase phase) {
   return "";
 }
 
-std::string needed_by(const Work& work, const std::vector<Reader>& readers) {
-  if (work.for_integration) return "the time integration";
+std::string needed_by(const ScheduledPass& scheduled, const std::vector<Reader>& readers) {
+  if (scheduled.for_integration) return "the time integration";
   std::string names;
   for (std::size_t n = 0; n < readers.size(); ++n)
-    if (work.for_observer[n]) names += (names.empty() ? "" : ", ") + readers[n].name;
+    if (scheduled.for_observer[n]) names += (names.empty() ? "" : ", ") + readers[n].name;
   return names.empty() ? "nobody" : names;
 }
 
@@ -43,13 +43,13 @@ std::string StepGraph::text() const {
     text += fmt::format("phase {}\n", name_of(phase));
     int number = 0;
     for (const std::size_t n : order(phase)) {
-      const Work& work = works_[n];
-      text += fmt::format("  {:2}. {}", ++number, work.title());
-      if (!work.for_integration) text += fmt::format("   (only when due: {})", needed_by(work, readers_));
+      const ScheduledPass& scheduled = passes_[n];
+      text += fmt::format("  {:2}. {}", ++number, scheduled.title());
+      if (!scheduled.for_integration) text += fmt::format("   (only when due: {})", needed_by(scheduled, readers_));
       text += '\n';
-      text += list("reads", work.pass.own_reads) + list("neighbours", work.pass.neighbour_reads) +
-              list("if present", work.pass.optional_reads) + list("writes", work.pass.write_list) +
-              list("adds to", work.pass.accumulate_list);
+      text += list("reads", scheduled.pass.own_reads) + list("neighbours", scheduled.pass.neighbour_reads) +
+              list("if present", scheduled.pass.optional_reads) + list("writes", scheduled.pass.write_list) +
+              list("adds to", scheduled.pass.accumulate_list);
     }
   }
   if (!derived_for_integration_.empty())
@@ -72,8 +72,8 @@ std::string StepGraph::text() const {
     if (pass.adds_nothing) return "with its parameters it adds nothing";
     return pass.beside_sums ? "nobody else sums over neighbours in a step" : "nobody needs what it makes";
   };
-  for (const Work& work : works_)
-    if (work.pruned()) text += fmt::format("pruned: {} ({})\n", work.title(), why_pruned(work.pass));
+  for (const ScheduledPass& scheduled : passes_)
+    if (scheduled.pruned()) text += fmt::format("pruned: {} ({})\n", scheduled.title(), why_pruned(scheduled.pass));
   return text;
 }
 
@@ -85,19 +85,19 @@ std::string StepGraph::graphviz() const {
   };
   for (const Phase phase : phases) {
     text += fmt::format("  subgraph cluster_{0} {{\n    label=\"{0}\";\n", name_of(phase));
-    for (const Work& work : works_)
-      if (work.pass.phase == phase)
-        text += fmt::format("    {} [shape=box{}];\n", quoted(work.title()),
-                            work.pruned() ? ", style=dashed, color=gray, fontcolor=gray" : "");
+    for (const ScheduledPass& scheduled : passes_)
+      if (scheduled.pass.phase == phase)
+        text += fmt::format("    {} [shape=box{}];\n", quoted(scheduled.title()),
+                            scheduled.pruned() ? ", style=dashed, color=gray, fontcolor=gray" : "");
     text += "  }\n";
   }
-  for (const Work& work : works_) {
-    for (const std::string& field : sources(work)) {
-      edge(field, work.title(), "");
+  for (const ScheduledPass& scheduled : passes_) {
+    for (const std::string& field : sources(scheduled)) {
+      edge(field, scheduled.title(), "");
       fields.insert(field);
     }
-    for (const std::string& field : work.pass.write_list) edge(work.title(), field, "");
-    for (const std::string& field : work.pass.accumulate_list) edge(work.title(), field, " [label=\"+\"]");
+    for (const std::string& field : scheduled.pass.write_list) edge(scheduled.title(), field, "");
+    for (const std::string& field : scheduled.pass.accumulate_list) edge(scheduled.title(), field, " [label=\"+\"]");
   }
   for (const Reader& reader : readers_) {
     text += fmt::format("  {} [shape=note];\n", quoted(reader.name));

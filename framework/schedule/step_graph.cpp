@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
-#include "case/nearest.hpp"
 #include "mesogen/diagnostics/error.hpp"
 #include "schedule/advection.hpp"
 #include "schedule/derived_name.hpp"
+#include "text/nearest.hpp"
 
 namespace mesogen {
 
@@ -37,14 +37,14 @@ StepGraph::StepGraph(const Catalogue& catalogue, const std::vector<Member>& memb
     : catalogue_(catalogue), readers_(readers) {
   for (const Member& member : members) {
     for (const Pass& pass : member.passes->passes()) {
-      Work work;
-      work.owner = member.instance;
-      work.plugin = member.plugin;
-      work.pass = pass;
-      work.on_device = member.on_device;
-      work.for_observer.assign(readers.size(), false);
-      work.counter = {work.title(), "plugin"};
-      works_.push_back(std::move(work));
+      ScheduledPass scheduled;
+      scheduled.owner = member.instance;
+      scheduled.plugin = member.plugin;
+      scheduled.pass = pass;
+      scheduled.on_device = member.on_device;
+      scheduled.for_observer.assign(readers.size(), false);
+      scheduled.counter = {scheduled.title(), "plugin"};
+      passes_.push_back(std::move(scheduled));
     }
     if (member.passes->transport().velocity.empty()) continue;
     if (!transport_.velocity.empty())
@@ -65,12 +65,12 @@ StepGraph::StepGraph(const Catalogue& catalogue, const std::vector<Member>& memb
     }
   for (const std::string& field : {transport_.velocity, transport_.shift})
     if (!field.empty()) follow(field, "the time integration", integration);
-  for (Work& work : works_)
-    if (work.pass.at_every_step) mark(work, integration);
+  for (ScheduledPass& scheduled : passes_)
+    if (scheduled.pass.at_every_step) mark(scheduled, integration);
   if (sums_pairs())
-    for (Work& work : works_)
-      if (work.pass.beside_sums && !work.pass.adds_nothing && makes_any(work, integration.seen))
-        mark(work, integration);
+    for (ScheduledPass& scheduled : passes_)
+      if (scheduled.pass.beside_sums && !scheduled.pass.adds_nothing && makes_any(scheduled, integration.seen))
+        mark(scheduled, integration);
 
   derived_for_reader_.resize(readers_.size());
   for (std::size_t n = 0; n < readers_.size(); ++n) {
@@ -82,8 +82,8 @@ StepGraph::StepGraph(const Catalogue& catalogue, const std::vector<Member>& memb
 
 // What changes because particles do not go exactly with the fluid.
 void StepGraph::add_advection(const Backend& backend) {
-  if (transport_.fixed || std::none_of(works_.begin(), works_.end(), [&](const Work& work) {
-        return makes(work, transport_.shift) && !work.pass.adds_nothing;
+  if (transport_.fixed || std::none_of(passes_.begin(), passes_.end(), [&](const ScheduledPass& scheduled) {
+        return makes(scheduled, transport_.shift) && !scheduled.pass.adds_nothing;
       }))
     transport_.shift.clear();
   if (!transport_.advects()) return;
@@ -93,86 +93,87 @@ void StepGraph::add_advection(const Backend& backend) {
     const Advance advance = entry.declaration.advance;
     const bool carried = advance == Advance::predicted && name != transport_.velocity;
     if (!has_rate(advance) || !(carried || transport_.fixed)) continue;
-    Work work;
-    work.owner = "framework";
-    work.pass = backend.advection(entry.declaration, transport_);
-    work.on_device = true;
-    work.for_observer.assign(readers_.size(), false);
-    work.counter = {work.title()};
-    works_.push_back(std::move(work));
+    ScheduledPass scheduled;
+    scheduled.owner = "framework";
+    scheduled.pass = backend.advection(entry.declaration, transport_);
+    scheduled.on_device = true;
+    scheduled.for_observer.assign(readers_.size(), false);
+    scheduled.counter = {scheduled.title()};
+    passes_.push_back(std::move(scheduled));
   }
 }
 
-bool StepGraph::makes_any(const Work& work, const std::set<std::string>& fields) const {
-  return std::any_of(fields.begin(), fields.end(), [&](const std::string& field) { return makes(work, field); });
+bool StepGraph::makes_any(const ScheduledPass& scheduled, const std::set<std::string>& fields) const {
+  return std::any_of(fields.begin(), fields.end(), [&](const std::string& field) { return makes(scheduled, field); });
 }
 
-bool StepGraph::makes(const Work& work, const std::string& field) const {
-  return contains(work.pass.write_list, field) || contains(work.pass.accumulate_list, field);
+bool StepGraph::makes(const ScheduledPass& scheduled, const std::string& field) const {
+  return contains(scheduled.pass.write_list, field) || contains(scheduled.pass.accumulate_list, field);
 }
 
 // Every field that a pass names must be there, also of a pass that nobody needs: a plugin that can do nothing here is
 // a mistake in the case.
 void StepGraph::check_fields() const {
-  for (const Work& work : works_) {
+  for (const ScheduledPass& scheduled : passes_) {
     const auto check = [&](const std::vector<std::string>& fields, const std::string& does) {
       for (const std::string& field : fields)
         if (!catalogue_.exists(field)) {
           if (field == "position")
-            throw Error(ExitCode::plugin_refused, "'" + work.title() + "' " + does +
+            throw Error(ExitCode::plugin_refused, "'" + scheduled.title() + "' " + does +
                                                       " 'position', which is no field: a pass takes coordinates from "
                                                       "context.position(axis), without naming them");
           const std::string meant = did_you_mean(field, catalogue_.names());
           throw Error(ExitCode::bad_case,
-                      "'" + work.title() + "' " + does + " '" + field + "', which no plugin of this case introduces" +
-                          (meant.empty() ? "." : meant) +
-                          " Add one that does (`mesogen plugin info` tells), or remove '" + work.owner + "'");
+                      "'" + scheduled.title() + "' " + does + " '" + field +
+                          "', which no plugin of this case introduces" + (meant.empty() ? "." : meant) +
+                          " Add one that does (`mesogen plugin info` tells), or remove '" + scheduled.owner + "'");
         }
     };
-    check(work.pass.own_reads, "reads");
-    check(work.pass.neighbour_reads, "reads");
-    check(work.pass.write_list, "writes");
-    check(work.pass.accumulate_list, "adds to");
-    if (work.pass.adds_nothing && !work.pass.write_list.empty())
-      throw Error(ExitCode::plugin_refused, "'" + work.title() + "' is idle and writes '" +
-                                                work.pass.write_list.front() +
+    check(scheduled.pass.own_reads, "reads");
+    check(scheduled.pass.neighbour_reads, "reads");
+    check(scheduled.pass.write_list, "writes");
+    check(scheduled.pass.accumulate_list, "adds to");
+    if (scheduled.pass.adds_nothing && !scheduled.pass.write_list.empty())
+      throw Error(ExitCode::plugin_refused, "'" + scheduled.title() + "' is idle and writes '" +
+                                                scheduled.pass.write_list.front() +
                                                 "': idle_if is for passes that only add to fields");
-    if (work.pass.beside_sums && !work.pass.write_list.empty())
-      throw Error(ExitCode::plugin_refused, "'" + work.title() + "' runs beside pair sums and writes '" +
-                                                work.pass.write_list.front() +
+    if (scheduled.pass.beside_sums && !scheduled.pass.write_list.empty())
+      throw Error(ExitCode::plugin_refused, "'" + scheduled.title() + "' runs beside pair sums and writes '" +
+                                                scheduled.pass.write_list.front() +
                                                 "': beside_pair_sums is for passes that only add to fields");
-    if (work.pass.phase == Phase::observe) {
-      if (!work.pass.accumulate_list.empty())
-        throw Error(ExitCode::plugin_refused, "'" + work.title() + "' adds to '" + work.pass.accumulate_list.front() +
+    if (scheduled.pass.phase == Phase::observe) {
+      if (!scheduled.pass.accumulate_list.empty())
+        throw Error(ExitCode::plugin_refused, "'" + scheduled.title() + "' adds to '" +
+                                                  scheduled.pass.accumulate_list.front() +
                                                   "' for readers: a pass of Phase::observe writes what it makes");
-      for (const std::string& field : work.pass.write_list)
+      for (const std::string& field : scheduled.pass.write_list)
         if (catalogue_.outlasts_step(field))
-          throw Error(ExitCode::plugin_refused, "'" + work.title() + "' writes '" + field +
+          throw Error(ExitCode::plugin_refused, "'" + scheduled.title() + "' writes '" + field +
                                                     "' for readers, which keeps its value from step to step: who "
                                                     "looks must change nothing");
     }
-    for (const auto* const list : {&work.pass.write_list, &work.pass.accumulate_list})
+    for (const auto* const list : {&scheduled.pass.write_list, &scheduled.pass.accumulate_list})
       for (const std::string& field : *list)
         if (const auto* const entry = catalogue_.find(field); entry != nullptr && entry->initial &&
                                                               !has_rate(entry->declaration.advance) &&
                                                               entry->declaration.advance != Advance::by_passes)
-          throw Error(ExitCode::bad_case, "[" + entry->set_by + "] sets '" + field + "', which '" + work.title() +
+          throw Error(ExitCode::bad_case, "[" + entry->set_by + "] sets '" + field + "', which '" + scheduled.title() +
                                               "' makes at each step: remove that section");
         else if (catalogue_.is_state(field))
           throw Error(ExitCode::plugin_refused,
-                      "'" + work.title() + "' writes '" + field +
+                      "'" + scheduled.title() + "' writes '" + field +
                           "', which keeps its value from step to step: add to its rate of change instead");
   }
 }
 
 void StepGraph::check_writers() const {
-  std::map<std::pair<Phase, std::string>, const Work*> writer;
-  for (const Work& work : works_) {
-    for (const std::string& field : work.pass.write_list) {
-      const auto [at, first] = writer.emplace(std::pair{work.pass.phase, field}, &work);
+  std::map<std::pair<Phase, std::string>, const ScheduledPass*> writer;
+  for (const ScheduledPass& scheduled : passes_) {
+    for (const std::string& field : scheduled.pass.write_list) {
+      const auto [at, first] = writer.emplace(std::pair{scheduled.pass.phase, field}, &scheduled);
       if (!first)
         throw Error(ExitCode::bad_case, "field '" + field + "' has two writers: '" + at->second->title() + "' and '" +
-                                            work.title() +
+                                            scheduled.title() +
                                             "'. Remove one of them from the case, or let both accumulate");
     }
   }
@@ -193,9 +194,9 @@ void StepGraph::follow(const std::string& field, const std::string& wanted_by, N
   }
   bool made = catalogue_.is_state(field);
   if (!made) {
-    for (Work* const work : makers(field, need.integration)) {
+    for (ScheduledPass* const scheduled : makers(field, need.integration)) {
       made = true;
-      if (!work->pass.adds_nothing && !work->pass.beside_sums) mark(*work, need);
+      if (!scheduled->pass.adds_nothing && !scheduled->pass.beside_sums) mark(*scheduled, need);
     }
   }
   if (!made) {
@@ -208,55 +209,56 @@ void StepGraph::follow(const std::string& field, const std::string& wanted_by, N
   need.chain.pop_back();
 }
 
-void StepGraph::mark(Work& work, Need& need) {
+void StepGraph::mark(ScheduledPass& scheduled, Need& need) {
   if (need.integration) {
-    work.for_integration = true;
+    scheduled.for_integration = true;
   } else {
-    work.for_observer[need.reader] = true;
+    scheduled.for_observer[need.reader] = true;
   }
-  for (const std::string& source : sources(work)) follow(source, "'" + work.title() + "'", need);
+  for (const std::string& source : sources(scheduled)) follow(source, "'" + scheduled.title() + "'", need);
 }
 
 // A reader takes what is made for it at the end of the step, if anything is.
-std::vector<Work*> StepGraph::makers(const std::string& field, bool for_integration) {
-  std::vector<Work*> in_step;
-  std::vector<Work*> for_readers;
-  for (Work& work : works_)
-    if (makes(work, field)) (work.pass.phase == Phase::observe ? for_readers : in_step).push_back(&work);
+std::vector<ScheduledPass*> StepGraph::makers(const std::string& field, bool for_integration) {
+  std::vector<ScheduledPass*> in_step;
+  std::vector<ScheduledPass*> for_readers;
+  for (ScheduledPass& scheduled : passes_)
+    if (makes(scheduled, field)) (scheduled.pass.phase == Phase::observe ? for_readers : in_step).push_back(&scheduled);
   return for_integration || for_readers.empty() ? in_step : for_readers;
 }
 
 bool StepGraph::sums_pairs() const {
-  return !derived_for_integration_.empty() || std::any_of(works_.begin(), works_.end(), [](const Work& work) {
-    return work.for_integration && !work.pass.neighbour_reads.empty();
-  });
+  return !derived_for_integration_.empty() ||
+         std::any_of(passes_.begin(), passes_.end(), [](const ScheduledPass& scheduled) {
+           return scheduled.for_integration && !scheduled.pass.neighbour_reads.empty();
+         });
 }
 
-std::vector<std::string> StepGraph::sources(const Work& work) const {
-  std::vector<std::string> all = work.pass.own_reads;
-  all.insert(all.end(), work.pass.neighbour_reads.begin(), work.pass.neighbour_reads.end());
-  for (const std::string& field : work.pass.optional_reads)
+std::vector<std::string> StepGraph::sources(const ScheduledPass& scheduled) const {
+  std::vector<std::string> all = scheduled.pass.own_reads;
+  all.insert(all.end(), scheduled.pass.neighbour_reads.begin(), scheduled.pass.neighbour_reads.end());
+  for (const std::string& field : scheduled.pass.optional_reads)
     if (catalogue_.exists(field)) all.push_back(field);
   return all;
 }
 
 void StepGraph::order_phase(Phase phase) {
   std::vector<std::size_t> members;
-  for (std::size_t n = 0; n < works_.size(); ++n)
-    if (works_[n].pass.phase == phase && !works_[n].pruned()) members.push_back(n);
+  for (std::size_t n = 0; n < passes_.size(); ++n)
+    if (passes_[n].pass.phase == phase && !passes_[n].pruned()) members.push_back(n);
 
   // before[a] holds what must run before a, and through which field.
   std::map<std::size_t, std::map<std::size_t, std::string>> before;
   for (const std::size_t a : members) {
     for (const std::size_t b : members) {
       if (a == b) continue;
-      for (const std::string& field : works_[b].pass.write_list)
-        if (contains(works_[a].pass.accumulate_list, field)) before[a].emplace(b, field);
-      for (const std::string& field : works_[b].pass.accumulate_list)
-        if (b < a && contains(works_[a].pass.accumulate_list, field)) before[a].emplace(b, field);
-      for (const std::string& wanted : sources(works_[a])) {
+      for (const std::string& field : passes_[b].pass.write_list)
+        if (contains(passes_[a].pass.accumulate_list, field)) before[a].emplace(b, field);
+      for (const std::string& field : passes_[b].pass.accumulate_list)
+        if (b < a && contains(passes_[a].pass.accumulate_list, field)) before[a].emplace(b, field);
+      for (const std::string& wanted : sources(passes_[a])) {
         const std::string field = root(catalogue_, wanted);
-        if (!catalogue_.is_state(field) && makes(works_[b], field)) before[a].emplace(b, field);
+        if (!catalogue_.is_state(field) && makes(passes_[b], field)) before[a].emplace(b, field);
       }
     }
   }
@@ -280,8 +282,8 @@ void StepGraph::order_phase(Phase phase) {
       path.erase(path.begin(), std::find(path.begin(), path.end(), at));
       std::string text = "these passes wait for each other:";
       for (std::size_t n = 0; n < path.size(); ++n)
-        text += "\n  '" + works_[path[n]].title() + "' needs '" + before[path[n]][path[(n + 1) % path.size()]] +
-                "' of '" + works_[path[(n + 1) % path.size()]].title() + "'";
+        text += "\n  '" + passes_[path[n]].title() + "' needs '" + before[path[n]][path[(n + 1) % path.size()]] +
+                "' of '" + passes_[path[(n + 1) % path.size()]].title() + "'";
       throw Error(ExitCode::bad_case, text + "\nRemove one of the plugins from the case");
     }
     done.insert(*ready);

@@ -9,7 +9,7 @@
 #include "exec/backend.hpp"
 #include "mesogen/export.hpp"
 #include "schedule/catalogue.hpp"
-#include "schedule/work.hpp"
+#include "schedule/scheduled_pass.hpp"
 
 namespace mesogen {
 
@@ -37,8 +37,8 @@ class MESOGEN_EXPORT StepGraph {
   StepGraph(const Catalogue& catalogue, const std::vector<Member>& members, const std::vector<Reader>& readers,
             const Backend& backend = Backend::host());
 
-  [[nodiscard]] std::vector<Work>& works() { return works_; }
-  [[nodiscard]] const std::vector<Work>& works() const { return works_; }
+  [[nodiscard]] std::vector<ScheduledPass>& passes() { return passes_; }
+  [[nodiscard]] const std::vector<ScheduledPass>& passes() const { return passes_; }
   /// Indices into works(), in the order in which they run.
   [[nodiscard]] const std::vector<std::size_t>& order(Phase phase) const {
     return order_[static_cast<std::size_t>(phase)];
@@ -60,16 +60,16 @@ class MESOGEN_EXPORT StepGraph {
   void check_fields() const;
   void check_writers() const;
   void follow(const std::string& field, const std::string& wanted_by, Need& need);
-  void mark(Work& work, Need& need);
-  [[nodiscard]] std::vector<Work*> makers(const std::string& field, bool for_integration);
+  void mark(ScheduledPass& scheduled, Need& need);
+  [[nodiscard]] std::vector<ScheduledPass*> makers(const std::string& field, bool for_integration);
   void order_phase(Phase phase);
-  [[nodiscard]] bool makes_any(const Work& work, const std::set<std::string>& fields) const;
-  [[nodiscard]] bool makes(const Work& work, const std::string& field) const;
-  [[nodiscard]] std::vector<std::string> sources(const Work& work) const;
+  [[nodiscard]] bool makes_any(const ScheduledPass& scheduled, const std::set<std::string>& fields) const;
+  [[nodiscard]] bool makes(const ScheduledPass& scheduled, const std::string& field) const;
+  [[nodiscard]] std::vector<std::string> sources(const ScheduledPass& scheduled) const;
 
   const Catalogue& catalogue_;
   std::vector<Reader> readers_;
-  std::vector<Work> works_;
+  std::vector<ScheduledPass> passes_;
   std::array<std::vector<std::size_t>, 4> order_;
   std::set<std::string> derived_for_integration_;
   std::vector<std::set<std::string>> derived_for_reader_;

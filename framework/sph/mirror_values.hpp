@@ -1,8 +1,8 @@
 #pragma once
 
 #include "exec/backend.hpp"
-#include "mesogen/domain/neighbours.hpp"
-#include "mesogen/field/view.hpp"
+#include "mesogen/neighbours/neighbours.hpp"
+#include "mesogen/particles/field_view.hpp"
 #include "mesogen/sph/kernel_function.hpp"
 
 /// What a field is at the mirror points of walls: interpolated by moving least squares with the kernel of the run,

@@ -2,9 +2,9 @@
 
 #include <string>
 
-#include "mesogen/domain/neighbours.hpp"
 #include "mesogen/exec/for_each.hpp"
-#include "mesogen/field/view.hpp"
+#include "mesogen/neighbours/neighbours.hpp"
+#include "mesogen/particles/field_view.hpp"
 #include "mesogen/sph/kernel_function.hpp"
 
 /// The pair sums that several plugins need, offered by the framework. They live in a library of their own, built for

@@ -27,54 +27,54 @@ double largest_length(const Backend& backend, Field* field, Index count) {
 
 }  // namespace
 
-Integrator::Integrator(World& world, const Catalogue& catalogue, const Transport& transport, TimeScheme scheme)
-    : world_(world), scheme_(scheme), fixed_(transport.fixed) {
+Integrator::Integrator(State& state, const Catalogue& catalogue, const Transport& transport, TimeScheme scheme)
+    : state_(state), scheme_(scheme), fixed_(transport.fixed) {
   for (const auto& [name, entry] : catalogue.all()) {
     if (!has_rate(entry.declaration.advance)) continue;
-    Field& field = world.fields.at(name);
-    Advanced one{&field, &world.fields.at(entry.declaration.rate), entry.declaration.advance == Advance::predicted,
+    Field& field = state.fields.at(name);
+    Advanced one{&field, &state.fields.at(entry.declaration.rate), entry.declaration.advance == Advance::predicted,
                  nullptr};
-    if (one.predicted && scheme == TimeScheme::midpoint) one.start = &world.add_copy_in_double(field);
+    if (one.predicted && scheme == TimeScheme::midpoint) one.start = &state.add_copy_in_double(field);
     advanced_.push_back(one);
     if (name == transport.velocity) acceleration_ = one.rate;
   }
-  if (!transport.velocity.empty()) velocity_ = &world.fields.at(transport.velocity);
-  if (!transport.shift.empty()) shift_ = &world.fields.at(transport.shift);
+  if (!transport.velocity.empty()) velocity_ = &state.fields.at(transport.velocity);
+  if (!transport.shift.empty()) shift_ = &state.fields.at(transport.shift);
   if (velocity_ != nullptr && acceleration_ == nullptr && !fixed_)
-    way_to_midpoint_ = &world.add_in_double("way to the midpoint", velocity_->components());
-  if (!transport.drive.empty()) drive_ = world.fields.find(transport.drive);
+    way_to_midpoint_ = &state.add_in_double("way to the midpoint", velocity_->components());
+  if (!transport.drive.empty()) drive_ = state.fields.find(transport.drive);
 }
 
 template <class Real>
 exec::Finding Integrator::advance(const Advanced& one, Field& from, double by) {
   const exec::Finding largest =
-      world_.backend.loops<Real>().advance({from.master(), one.rate->view<Real>(), by, one.field->master(),
+      state_.backend.loops<Real>().advance({from.master(), one.rate->view<Real>(), by, one.field->master(),
                                             one.field->view<Real>(), one.field->components()},
-                                           world_.particles.count());
+                                           state_.particles.count());
   ++one.field->version;
   return largest;
 }
 
 exec::Finding Integrator::advance(const Advanced& one, Field& from, double by) {
-  return world_.single() ? advance<float>(one, from, by) : advance<double>(one, from, by);
+  return state_.single() ? advance<float>(one, from, by) : advance<double>(one, from, by);
 }
 
 template <class Real>
 exec::Finding Integrator::move(double by, double shift_by) {
   exec::Moving<Real> moving{};
-  for (int d = 0; d < world_.scene.dimension; ++d) moving.position[d] = world_.particles.position[d].data();
+  for (int d = 0; d < state_.scene.dimension; ++d) moving.position[d] = state_.particles.position[d].data();
   moving.velocity = velocity_->master();
   moving.by = by;
   if (shift_ != nullptr && shift_by != 0.0) moving.shift = shift_->view<Real>();
   moving.shift_by = shift_by;
-  moving.dimension = world_.scene.dimension;
-  return world_.backend.loops<Real>().move(moving, world_.particles.count());
+  moving.dimension = state_.scene.dimension;
+  return state_.backend.loops<Real>().move(moving, state_.particles.count());
 }
 
 std::optional<exec::Finding> Integrator::move(double by, double shift_by) {
   if (velocity_ == nullptr || fixed_) return {};
-  world_.mark_moved();
-  return world_.single() ? move<float>(by, shift_by) : move<double>(by, shift_by);
+  state_.mark_moved();
+  return state_.single() ? move<float>(by, shift_by) : move<double>(by, shift_by);
 }
 
 void Integrator::predict(double step_size) {
@@ -94,19 +94,19 @@ void Integrator::predict(double step_size) {
 template <class Real>
 exec::Finding Integrator::move_by_passes(double step_size, bool to_midpoint) {
   exec::MovingByPasses<Real> moving{};
-  for (int d = 0; d < world_.scene.dimension; ++d) moving.position[d] = world_.particles.position[d].data();
+  for (int d = 0; d < state_.scene.dimension; ++d) moving.position[d] = state_.particles.position[d].data();
   moving.way = way_to_midpoint_->master();
   moving.velocity = velocity_->view<Real>();
   if (shift_ != nullptr && !to_midpoint) moving.shift = shift_->view<Real>();
   moving.step_size = step_size;
   moving.to_midpoint = to_midpoint;
-  moving.dimension = world_.scene.dimension;
-  return world_.backend.loops<Real>().move(moving, world_.particles.count());
+  moving.dimension = state_.scene.dimension;
+  return state_.backend.loops<Real>().move(moving, state_.particles.count());
 }
 
 exec::Finding Integrator::move_by_passes(double step_size, bool to_midpoint) {
-  world_.mark_moved();
-  return world_.single() ? move_by_passes<float>(step_size, to_midpoint)
+  state_.mark_moved();
+  return state_.single() ? move_by_passes<float>(step_size, to_midpoint)
                          : move_by_passes<double>(step_size, to_midpoint);
 }
 
@@ -127,7 +127,7 @@ Motion Integrator::correct(double step_size) {
     largest.push_back(advance(one, from, one.predicted && !midpoint ? step_size / 2.0 : step_size));
   }
   if (!by_passes && !midpoint) nowhere = move(step_size / 2.0, step_size);
-  const Backend& backend = world_.backend;
+  const Backend& backend = state_.backend;
   backend.collect();
 
   Motion motion;
@@ -147,22 +147,22 @@ Motion Integrator::correct(double step_size) {
 
 template <class Real>
 void Integrator::look(double step_size, Motion& motion) const {
-  const Index count = world_.particles.count();
-  const exec::Finding change = world_.backend.loops<Real>().largest_change(
+  const Index count = state_.particles.count();
+  const exec::Finding change = state_.backend.loops<Real>().largest_change(
       velocity_->view<Real>(), way_to_midpoint_->master(), step_size, velocity_->components(), count);
-  const exec::Finding speed = look_for_largest(world_.backend, *velocity_, count);
-  world_.backend.collect();
-  motion.fastest = std::sqrt(world_.backend.found(speed));
-  motion.largest_acceleration = std::sqrt(world_.backend.found(change)) / step_size;
+  const exec::Finding speed = look_for_largest(state_.backend, *velocity_, count);
+  state_.backend.collect();
+  motion.fastest = std::sqrt(state_.backend.found(speed));
+  motion.largest_acceleration = std::sqrt(state_.backend.found(change)) / step_size;
   motion.finite = motion.finite && std::isfinite(motion.fastest) && std::isfinite(motion.largest_acceleration);
 }
 
 void Integrator::look(double step_size, Motion& motion) const {
-  world_.single() ? look<float>(step_size, motion) : look<double>(step_size, motion);
+  state_.single() ? look<float>(step_size, motion) : look<double>(step_size, motion);
 }
 
 double Integrator::largest_acceleration() const {
-  return largest_length(world_.backend, acceleration_ == nullptr ? drive_ : acceleration_, world_.particles.count());
+  return largest_length(state_.backend, acceleration_ == nullptr ? drive_ : acceleration_, state_.particles.count());
 }
 
 double Integrator::largest(std::string_view field) const {
@@ -171,11 +171,11 @@ double Integrator::largest(std::string_view field) const {
   throw std::logic_error("'" + std::string(field) + "' is not advanced");
 }
 
-double Integrator::fastest() const { return largest_length(world_.backend, velocity_, world_.particles.count()); }
+double Integrator::fastest() const { return largest_length(state_.backend, velocity_, state_.particles.count()); }
 
 Integrator::Bad Integrator::find_bad() const {
   const auto bad_in = [&](const Field& field) {
-    for (Index i = 0; i < world_.particles.count(); ++i)
+    for (Index i = 0; i < state_.particles.count(); ++i)
       for (int c = 0; c < field.components(); ++c)
         if (!(field.value(c, i) * field.value(c, i) <= most)) return i;
     return Index(-1);
@@ -186,9 +186,9 @@ Integrator::Bad Integrator::find_bad() const {
   for (const Field* const field : {velocity_, shift_})
     if (field != nullptr)
       if (const Index i = bad_in(*field); i >= 0) return {field->name(), i};
-  for (Index i = 0; i < world_.particles.count(); ++i)
-    for (int d = 0; d < world_.scene.dimension; ++d)
-      if (!(std::abs(world_.particles.position[d][i]) <= most)) return {"position", i};
+  for (Index i = 0; i < state_.particles.count(); ++i)
+    for (int d = 0; d < state_.scene.dimension; ++d)
+      if (!(std::abs(state_.particles.position[d][i]) <= most)) return {"position", i};
   return {};
 }
 

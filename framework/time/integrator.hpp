@@ -6,7 +6,7 @@
 
 #include "mesogen/export.hpp"
 #include "schedule/catalogue.hpp"
-#include "schedule/world.hpp"
+#include "schedule/state.hpp"
 
 namespace mesogen {
 
@@ -39,7 +39,7 @@ enum class TimeScheme {
 /// method).
 class MESOGEN_EXPORT Integrator {
  public:
-  Integrator(World& world, const Catalogue& catalogue, const Transport& transport, TimeScheme scheme);
+  Integrator(State& state, const Catalogue& catalogue, const Transport& transport, TimeScheme scheme);
 
   void predict(double step_size);
   Motion correct(double step_size);
@@ -90,7 +90,7 @@ class MESOGEN_EXPORT Integrator {
   template <class Real>
   void look(double step_size, Motion& motion) const;
 
-  World& world_;
+  State& state_;
   TimeScheme scheme_;
   bool fixed_;  // particles stay
   std::vector<Advanced> advanced_;

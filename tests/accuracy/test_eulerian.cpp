@@ -26,17 +26,17 @@ double error_of_wave(int across) {
       .section("velocity", "type = \"uniform\"\nvalue = [0.5, 0.0]")
       .section("time", "end = 10.0\nscheme = \"midpoint\"");
   CaseRun run(text);
-  auto& world = run.world();
-  auto& velocity = world.fields.at("velocity");
-  for (mesogen::Index i = 0; i < world.particles.count(); ++i)
-    velocity.set(1, i, amplitude * std::cos(2.0 * pi * world.particles.position[0][static_cast<std::size_t>(i)]));
+  auto& state = run.state();
+  auto& velocity = state.fields.at("velocity");
+  for (mesogen::Index i = 0; i < state.particles.count(); ++i)
+    velocity.set(1, i, amplitude * std::cos(2.0 * pi * state.particles.position[0][static_cast<std::size_t>(i)]));
   ++velocity.version;
   run.stepper().start();
   run.run_to(end);
   const Wave wave = wave_of(run, run.field("velocity", 1), 1, 0);
   const double left = amplitude * std::exp(-nu * 4.0 * pi * pi * end);
   const double phase = 2.0 * pi * speed * end;
-  EXPECT_EQ(world.neighbourhood.sortings(), 1) << "neighbours are found once";
+  EXPECT_EQ(state.neighbourhood.sortings(), 1) << "neighbours are found once";
   EXPECT_EQ(run.path(0), CaseRun(text).path(0)) << "nobody moves";
   return std::hypot(wave.cosine - left * std::cos(phase), wave.sine - left * std::sin(phase)) / left;
 }

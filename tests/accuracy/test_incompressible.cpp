@@ -10,7 +10,7 @@
 #include <span>
 
 #include "case_run.hpp"
-#include "simulation/closest_pair.hpp"
+#include "run/closest_pair.hpp"
 
 namespace {
 
@@ -115,7 +115,7 @@ TEST(IncompressibleSameBits, FromOneThreadAndThree) {
     CaseRun run(summed("periodic_wrap"));
     run.run_steps(80);
     omp_set_num_threads(threads);
-    EXPECT_GE(run.world().neighbourhood.sortings(), 3);
+    EXPECT_GE(run.state().neighbourhood.sortings(), 3);
     return state_of(run);
   };
   EXPECT_EQ(run_with(1), run_with(3));
@@ -176,7 +176,7 @@ TEST(IncompressibleSteps, AFlowFromRestIsFollowed) {
       .section("physics.push", "type = \"body_force\"\nforce = [1.0, 0.0]");
   CaseRun run(text);
   run.run_to(0.5);
-  EXPECT_GT(run.world().step, 5);
+  EXPECT_GT(run.state().step, 5);
   for (const double u : run.field("velocity", 0)) ASSERT_NEAR(u, 0.5, 1e-12);
   for (const double x : run.path(0)) ASSERT_GT(x, 0.124);
 }
@@ -203,7 +203,7 @@ TEST(IncompressibleNeighbourSums, ParticlesStayApartInTurbulence) {
       const double even = 100.0 / (32.0 * 32.0);
       EXPECT_GT(*least, 0.9 * even) << "t = " << time;
       EXPECT_LT(*most, 1.1 * even) << "t = " << time;
-      EXPECT_FALSE(closest_pair(run.world(), 0.35 * 10.0 / 32.0)) << "t = " << time;
+      EXPECT_FALSE(closest_pair(run.state(), 0.35 * 10.0 / 32.0)) << "t = " << time;
     }
     EXPECT_GT(run.observe("flow_statistics", "v_rms"), 0.05);
   }

@@ -53,7 +53,7 @@ TEST(Invariance, UniformFlowChangesNothing) {
     EXPECT_LT(compare(rests.field("velocity", c), flies.field("velocity", c), speed), 1e-9);
     EXPECT_LT(compare(rests.path(c), flies.path(c), speed * end), 1e-9);
   }
-  EXPECT_GT(flies.world().neighbourhood.sortings(), 100);
+  EXPECT_GT(flies.state().neighbourhood.sortings(), 100);
 }
 
 // The mesh goes with the mean velocity, so it meets the particles in the same places.
@@ -162,11 +162,11 @@ TEST(Invariance, RigidRotationTurnsTheDirectorWithTheFluid) {
   CaseText text(length, across);
   text.section("director", "type = \"uniform\"\nangle = 30.0").flow(0.3).nematic(0.4, 0.7, 0.1);
   CaseRun run(text);
-  mesogen::World& world = run.world();
-  mesogen::Field& velocity = world.fields.at("velocity");
-  for (mesogen::Index i = 0; i < world.particles.count(); ++i) {
-    velocity.set(0, i, -w0 * (world.particles.position[1][static_cast<std::size_t>(i)] - length / 2));
-    velocity.set(1, i, w0 * (world.particles.position[0][static_cast<std::size_t>(i)] - length / 2));
+  mesogen::State& state = run.state();
+  mesogen::Field& velocity = state.fields.at("velocity");
+  for (mesogen::Index i = 0; i < state.particles.count(); ++i) {
+    velocity.set(0, i, -w0 * (state.particles.position[1][static_cast<std::size_t>(i)] - length / 2));
+    velocity.set(1, i, w0 * (state.particles.position[0][static_cast<std::size_t>(i)] - length / 2));
   }
   ++velocity.version;
   run.stepper().executor().run(mesogen::Phase::rates, {false});
@@ -174,7 +174,7 @@ TEST(Invariance, RigidRotationTurnsTheDirectorWithTheFluid) {
   const auto rate12 = run.field("order_tensor_rate", 1);
   const auto x = run.path(0);
   const auto y = run.path(1);
-  const double support = world.scene.support;
+  const double support = state.scene.support;
   int compared = 0;
   for (std::size_t i = 0; i < x.size(); ++i) {
     if (std::min({x[i], y[i], length - x[i], length - y[i]}) < support) continue;

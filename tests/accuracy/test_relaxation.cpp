@@ -51,7 +51,7 @@ TEST(Relaxation, NothingThatRestsIsComputedTwice) {
   text.modes("director", "[[1, 0, 0.1, 0.3]]");
   CaseRun run(text);
   run.run_steps(25);
-  EXPECT_EQ(run.world().neighbourhood.sortings(), 1);
+  EXPECT_EQ(run.state().neighbourhood.sortings(), 1);
   bool found = false;
   for (const auto& share : run.stepper().shares()) {
     if (share.title == "framework: volume") {

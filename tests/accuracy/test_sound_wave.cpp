@@ -22,9 +22,9 @@ CaseRun standing_wave(int across) {
   text.flow(1e-6, "sound_speed = 10.0\ndensity_diffusion = 0.0")
       .read(R"("velocity", "density", "volume", "velocity_gradient", "internal_energy")");
   CaseRun run(text);
-  Field& compression = run.world().fields.at("compression");
-  const auto& x = run.world().particles.position[0];
-  for (Index i = 0; i < run.world().particles.count(); ++i)
+  Field& compression = run.state().fields.at("compression");
+  const auto& x = run.state().particles.position[0];
+  for (Index i = 0; i < run.state().particles.count(); ++i)
     compression.set(0, i, amplitude * std::cos(2.0 * std::numbers::pi * x[static_cast<std::size_t>(i)]));
   ++compression.version;
   return run;

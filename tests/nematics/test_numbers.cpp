@@ -9,7 +9,7 @@
 #include <map>
 
 #include "case_text.hpp"
-#include "simulation/setup.hpp"
+#include "run/setup.hpp"
 #include "test_plugins.hpp"
 
 namespace {

@@ -6,8 +6,8 @@
 #include <limits>
 #include <random>
 
-#include "domain/cell_grid.hpp"
 #include "ghosts/ghosts.hpp"
+#include "neighbours/cell_grid.hpp"
 #include "test_plugins.hpp"
 
 namespace mesogen::test {

@@ -4,7 +4,7 @@
 #include <numbers>
 #include <span>
 
-#include "simulation/world_view.hpp"
+#include "run/state_view.hpp"
 #include "test_plugins.hpp"
 
 namespace mesogen::test {
@@ -33,7 +33,7 @@ CaseRun::CaseRun(const CaseText& text, const std::vector<std::string>& settings,
 }
 
 void CaseRun::run_to(double time) {
-  while (world().time < time) stepper_->advance(stepper_->next_step(time), nobody_);
+  while (state().time < time) stepper_->advance(stepper_->next_step(time), nobody_);
 }
 
 void CaseRun::run_steps(int steps) {
@@ -42,23 +42,23 @@ void CaseRun::run_steps(int steps) {
 
 std::vector<double> CaseRun::field(const std::string& name, int component) {
   stepper_->executor().prepare(std::vector{name});
-  return by_id(world().particles.id, WorldView(world()).values(name, component));
+  return by_id(state().particles.id, StateView(state()).values(name, component));
 }
 
-std::vector<double> CaseRun::path(int axis) { return by_id(world().particles.id, WorldView(world()).unwrapped(axis)); }
+std::vector<double> CaseRun::path(int axis) { return by_id(state().particles.id, StateView(state()).unwrapped(axis)); }
 
 Sample CaseRun::sample(const std::string& name) {
   const auto observer = built_plugins().make_observer(name);
   ParameterList list;
   observer->parameters(list);
   ObserverPlan plan;
-  observer->plan(world().scene, plan);
+  observer->plan(state().scene, plan);
   std::vector<std::string> fields = plan.read_list();
   for (const std::string& field : plan.optional_list())
-    if (world().fields.find(field) != nullptr) fields.push_back(field);
+    if (state().fields.find(field) != nullptr) fields.push_back(field);
   stepper_->executor().prepare(fields);
   Sample sample;
-  const WorldView view(world());
+  const StateView view(state());
   observer->start(view);
   observer->sample(view, sample);
   return sample;
@@ -69,7 +69,7 @@ double CaseRun::observe(const std::string& observer, const std::string& quantity
 }
 
 Wave wave_of(CaseRun& run, const std::vector<double>& values, int mx, int my) {
-  const double k = 2.0 * std::numbers::pi / run.world().scene.box[0];
+  const double k = 2.0 * std::numbers::pi / run.state().scene.box[0];
   const auto x = run.path(0);
   const auto y = run.path(1);
   Wave wave{0.0, 0.0};

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "case_text.hpp"
-#include "simulation/setup.hpp"
-#include "simulation/stepper.hpp"
+#include "run/setup.hpp"
+#include "run/stepper.hpp"
 
 namespace mesogen::test {
 
@@ -23,7 +23,7 @@ class CaseRun {
   void run_to(double time);
   void run_steps(int steps);
 
-  [[nodiscard]] double time() { return stepper_->world().time; }
+  [[nodiscard]] double time() { return stepper_->state().time; }
   /// Component of a field by id. Derived fields are brought up to date if the case reads them (CaseText::read).
   [[nodiscard]] std::vector<double> field(const std::string& name, int component = 0);
   /// Coordinate along an axis by id, without jumps at the faces, m.
@@ -34,7 +34,7 @@ class CaseRun {
   [[nodiscard]] double observe(const std::string& observer, const std::string& quantity);
 
   [[nodiscard]] Stepper& stepper() { return *stepper_; }
-  [[nodiscard]] World& world() { return stepper_->world(); }
+  [[nodiscard]] State& state() { return stepper_->state(); }
   [[nodiscard]] Setup& setup() { return *setup_; }
 
  private:

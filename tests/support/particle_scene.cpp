@@ -49,21 +49,21 @@ ParticleScene::ParticleScene(const Options& options, const std::array<std::vecto
 ParticleScene::ParticleScene(const Options& options, const std::array<std::vector<double>, 2>& points,
                              std::unique_ptr<Boundary> boundary)
     : boundary_(std::move(boundary)),
-      world_(std::make_unique<World>(scene_of(options, points[0].size()), smoothing(options), *boundary_,
+      state_(std::make_unique<State>(scene_of(options, points[0].size()), smoothing(options), *boundary_,
                                      particles_at(points))),
       catalogue_(2) {
   FieldDeclaration f;
   f.name = "f";
   catalogue_.add_initial(f, "test");
-  world_->add_field("f", 1, false);
-  fields_ = std::make_unique<DerivedFields>(*world_, catalogue_, derived_from_f, std::vector<std::set<std::string>>{},
+  state_->add_field("f", 1, false);
+  fields_ = std::make_unique<DerivedFields>(*state_, catalogue_, derived_from_f, std::vector<std::set<std::string>>{},
                                             DerivedFields::Form{options.consistent_laplacian, !options.still});
-  world_->settle();
+  state_->settle();
 }
 
 void ParticleScene::set(const std::function<double(double x, double y)>& function) {
-  Field& f = world_->fields.at("f");
-  const Particles& particles = world_->particles;
+  Field& f = state_->fields.at("f");
+  const Particles& particles = state_->particles;
   for (Index i = 0; i < particles.count(); ++i) {
     const auto n = static_cast<std::size_t>(i);
     f.set(0, i, function(particles.position[0][n], particles.position[1][n]));
@@ -72,10 +72,10 @@ void ParticleScene::set(const std::function<double(double x, double y)>& functio
 }
 
 std::vector<double> ParticleScene::derived(const std::string& name, int component) {
-  world_->settle();
+  state_->settle();
   fields_->make(name);
-  const Field& field = world_->fields.at(name);
-  const auto& id = world_->particles.id;
+  const Field& field = state_->fields.at(name);
+  const auto& id = state_->particles.id;
   std::vector<double> values(id.size());
   for (std::size_t i = 0; i < id.size(); ++i)
     values[static_cast<std::size_t>(id[i])] = field.value(component, static_cast<Index>(i));
@@ -90,12 +90,12 @@ std::int64_t ParticleScene::weights_found() const {
 }
 
 void ParticleScene::move(const std::function<std::array<double, 2>(std::int64_t id)>& by) {
-  Particles& particles = world_->particles;
+  Particles& particles = state_->particles;
   for (std::size_t i = 0; i < particles.id.size(); ++i) {
     const auto shift = by(particles.id[i]);
     for (std::size_t d = 0; d < 2; ++d) particles.position[d][i] += shift[d];
   }
-  world_->mark_moved();
+  state_->mark_moved();
 }
 
 std::array<std::vector<double>, 2> lattice(int columns, int rows, double spacing) {

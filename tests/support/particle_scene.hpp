@@ -8,7 +8,7 @@
 
 #include "schedule/catalogue.hpp"
 #include "schedule/derived_fields.hpp"
-#include "schedule/world.hpp"
+#include "schedule/state.hpp"
 
 namespace mesogen::test {
 
@@ -41,11 +41,11 @@ class ParticleScene {
   /// How often weights were found for particles that keep still.
   [[nodiscard]] std::int64_t weights_found() const;
 
-  [[nodiscard]] World& world() { return *world_; }
+  [[nodiscard]] State& state() { return *state_; }
 
  private:
   std::unique_ptr<Boundary> boundary_;
-  std::unique_ptr<World> world_;
+  std::unique_ptr<State> state_;
   Catalogue catalogue_;
   std::unique_ptr<DerivedFields> fields_;
 };

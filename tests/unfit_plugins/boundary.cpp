@@ -1,6 +1,6 @@
 #include <atomic>
 
-#include "mesogen/domain/periodic.hpp"
+#include "mesogen/particles/periodic.hpp"
 #include "mesogen/plugin/boundary.hpp"
 #include "mesogen/plugin/plugin.hpp"
 

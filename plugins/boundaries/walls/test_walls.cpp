@@ -157,9 +157,9 @@ boundary = { type = "walls", velocity_low = 0.0, velocity_high = 1.0 })");
   text.section("particles", "spacing = 0.0625\narrangement = \"jittered\"").flow(0.1).read("\"velocity_gradient\"");
   CaseRun run(text);
   const auto y = run.path(1);
-  Field& velocity = run.world().fields.at("velocity");
-  for (Index i = 0; i < run.world().particles.count(); ++i) {
-    velocity.set(0, i, run.world().particles.position[1][i]);
+  Field& velocity = run.state().fields.at("velocity");
+  for (Index i = 0; i < run.state().particles.count(); ++i) {
+    velocity.set(0, i, run.state().particles.position[1][i]);
     velocity.set(1, i, 0.0);
   }
   ++velocity.version;

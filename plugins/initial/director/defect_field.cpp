@@ -7,8 +7,8 @@
 #include <string>
 
 #include "mesogen/diagnostics/error.hpp"
-#include "mesogen/diagnostics/formatted.hpp"
-#include "mesogen/domain/periodic.hpp"
+#include "mesogen/particles/periodic.hpp"
+#include "mesogen/text/formatted.hpp"
 
 namespace mesogen::director {
 

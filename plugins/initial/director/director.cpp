@@ -7,8 +7,8 @@
 #include <optional>
 
 #include "defect_field.hpp"
-#include "mesogen/domain/waves.hpp"
 #include "mesogen/exec/random.hpp"
+#include "mesogen/particles/waves.hpp"
 #include "mesogen/plugin/initial.hpp"
 #include "mesogen/plugin/plugin.hpp"
 

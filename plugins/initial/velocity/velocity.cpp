@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "mesogen/domain/waves.hpp"
+#include "mesogen/particles/waves.hpp"
 #include "mesogen/plugin/initial.hpp"
 #include "mesogen/plugin/plugin.hpp"
 

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "mesogen/domain/point_cells.hpp"
+#include "mesogen/neighbours/point_cells.hpp"
 
 namespace mesogen {
 

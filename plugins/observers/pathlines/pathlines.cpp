@@ -7,8 +7,8 @@
 #include <optional>
 
 #include "mesogen/diagnostics/error.hpp"
-#include "mesogen/domain/point_cells.hpp"
 #include "mesogen/exec/random.hpp"
+#include "mesogen/neighbours/point_cells.hpp"
 #include "mesogen/plugin/by_id.hpp"
 #include "mesogen/plugin/observer.hpp"
 #include "mesogen/plugin/plugin.hpp"

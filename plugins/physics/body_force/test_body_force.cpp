@@ -26,7 +26,7 @@ TEST(BodyForce, PressesAgainstWalls) {
       .flow(0.1)
       .section("physics.drive", "type = \"body_force\"\nforce = [3.0, -0.5]");
   CaseRun run(text);
-  EXPECT_EQ(run.world().scene.scales.stress, 1.0);
+  EXPECT_EQ(run.state().scene.scales.stress, 1.0);
   run.run_to(0.5);
   for (const double c : run.field("compression")) EXPECT_LT(std::abs(c), 0.02);
 }

@@ -101,11 +101,11 @@ TEST(FlowFields, AStepMakesNeither) {
   test::CaseRun with(read);
   without.run_steps(5);
   with.run_steps(5);
-  for (const Work& work : with.setup().graph->works())
-    if (work.owner == "physics.shown") {
-      EXPECT_FALSE(work.for_integration) << work.title();
-      EXPECT_EQ(work.pruned(), work.pass.name == "vorticity, for readers") << work.title();
-      EXPECT_EQ(work.counter.runs, 0) << work.title();
+  for (const ScheduledPass& scheduled : with.setup().graph->passes())
+    if (scheduled.owner == "physics.shown") {
+      EXPECT_FALSE(scheduled.for_integration) << scheduled.title();
+      EXPECT_EQ(scheduled.pruned(), scheduled.pass.name == "vorticity, for readers") << scheduled.title();
+      EXPECT_EQ(scheduled.counter.runs, 0) << scheduled.title();
     }
   EXPECT_EQ(with.path(0), without.path(0)) << "who looks changes nothing";
   const auto values = with.field("stream_function");

@@ -240,7 +240,7 @@ class MeshFlow {
     Complex* const flux = room(0);
     for (int a = 0; a < Dim; ++a) {
       for (int b = a; b < Dim; ++b) {
-#pragma omp parallel for schedule(static) if (count >= mesh::few)
+#pragma omp parallel for schedule(static) if (count >= mesh::parallel_threshold)
         for (std::ptrdiff_t x = 0; x < count; ++x) points_[Dim][x] = points_[a][x] * points_[b][x];
         spectrum_.transform().forward(points_[Dim].data(), flux);
         spectrum_.for_each_mode([&](std::size_t n, const WaveVector& k) {

@@ -7,8 +7,8 @@
 #include <cstddef>
 #include <vector>
 
-#include "mesogen/field/view.hpp"
 #include "mesogen/mesh/particle_spectrum.hpp"
+#include "mesogen/particles/field_view.hpp"
 
 namespace mesogen::incompressible {
 
@@ -35,7 +35,7 @@ double mean_gradient(const mesh::Grid<Dim>& grid, const std::array<std::vector<m
                      std::vector<double>& row_sums) {
   const int in_row = grid.modes_in_row();
   row_sums.assign(static_cast<std::size_t>(grid.row_count()), 0.0);
-#pragma omp parallel for schedule(static) if (grid.mode_count() >= mesh::few)
+#pragma omp parallel for schedule(static) if (grid.mode_count() >= mesh::parallel_threshold)
   for (int row = 0; row < grid.row_count(); ++row) {
     std::array<int, Dim> at{};
     grid.row_coordinates(row, at);

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "mesogen/diagnostics/formatted.hpp"
 #include "mesogen/nematics/numbers.hpp"
+#include "mesogen/text/formatted.hpp"
 
 namespace mesogen::wcsph {
 

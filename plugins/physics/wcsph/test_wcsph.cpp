@@ -75,13 +75,13 @@ double alternating_density_left(double diffusion) {
   CaseText text(1.0, 16);
   text.flow(0.1, "sound_speed = 3.0\ndensity_diffusion = " + std::to_string(diffusion)).read("\"compression\"");
   CaseRun run(text);
-  Field& compression = run.world().fields.at("compression");
+  Field& compression = run.state().fields.at("compression");
   const auto sign = [&](Index i) {
-    const auto cell = [&](int axis) { return static_cast<int>(run.world().particles.position[axis][i] * 16.0); };
+    const auto cell = [&](int axis) { return static_cast<int>(run.state().particles.position[axis][i] * 16.0); };
     return (cell(0) + cell(1)) % 2 == 0 ? 1.0 : -1.0;
   };
   std::vector<double> start;
-  for (Index i = 0; i < run.world().particles.count(); ++i) compression.set(0, i, 1e-6 * sign(i));
+  for (Index i = 0; i < run.state().particles.count(); ++i) compression.set(0, i, 1e-6 * sign(i));
   ++compression.version;
   const auto before = run.field("compression");
   run.run_steps(20);
@@ -103,8 +103,8 @@ double speed_by_uniform_pressure(const std::string& form) {
   text.flow(0.1, "sound_speed = 3.0\npressure_form = \"" + form + "\"");
   text.section("particles", "spacing = 0.0625\narrangement = \"jittered\"\njitter = 0.2\nseed = 1");
   CaseRun run(text);
-  Field& compression = run.world().fields.at("compression");
-  for (Index i = 0; i < run.world().particles.count(); ++i) compression.set(0, i, 0.01);
+  Field& compression = run.state().fields.at("compression");
+  for (Index i = 0; i < run.state().particles.count(); ++i) compression.set(0, i, 0.01);
   ++compression.version;
   run.run_steps(2);  // the rates of the first were found at the start
   double fastest = 0.0;

@@ -77,7 +77,7 @@ class Wcsph final : public Physics {
       using Momentum = wcsph::Momentum<Real, Dim, false, PressureForm::corrected>;
       using Diffusion = wcsph::DensityDiffusion<Real>;
       sph::pair_sum(context.space(), context.neighbours<Real, Dim>(), context.kernel(),
-                    sph::Together<sph::Together<Shift, Momentum>, Diffusion>{
+                    sph::FusedPass<sph::FusedPass<Shift, Momentum>, Diffusion>{
                         {wcsph::shift_sums<Real, Dim, false>(context, shift_),
                          wcsph::momentum_sums<Real, Dim, false, PressureForm::corrected>(context, fluid_)},
                         wcsph::diffusion_sums<Real>(context, fluid_.density_diffusivity(diffusion_))});

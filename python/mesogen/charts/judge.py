@@ -177,7 +177,7 @@ def _words(name, value, bound):
     }[name]
 
 
-# What stops a run, by words of its error (framework/simulation/guard.cpp).
+# What stops a run, by words of its error (framework/run/guard.cpp).
 WAYS = (
     ("NaN", "is not finite"),
     ("ran away", "ran away"),

@@ -11,10 +11,10 @@
 #include <random>
 #include <vector>
 
-#include "domain/cell_grid.hpp"
 #include "exec/backend.hpp"
 #include "exec/largest.hpp"
 #include "ghosts/rule_table.hpp"
+#include "neighbours/cell_grid.hpp"
 
 namespace {
 

@@ -43,7 +43,7 @@ TEST(Advice, WithoutSoundStepsAreFewerAndTheErrorIsSmall) {
   before.run_to(end);
   CaseRun after(text, found->settings);
   after.run_to(end);
-  EXPECT_LT(4 * after.world().step, before.world().step);
+  EXPECT_LT(4 * after.state().step, before.state().step);
   EXPECT_LT(error_of_speed(after), 0.002);
   expect_settled(text, *found);
 }
@@ -143,7 +143,7 @@ TEST(Advice, FasterSoundThatIsFreeTakesNoMoreSteps) {
   EXPECT_DOUBLE_EQ(after.stepper().control().at_rest(), before.stepper().control().at_rest());
   for (CaseRun* run : {&before, &after}) run->run_to(0.02);
   EXPECT_GT(density_variation(before) / density_variation(after), 4.0);
-  EXPECT_EQ(after.world().step, before.world().step);
+  EXPECT_EQ(after.state().step, before.state().step);
 }
 
 TEST(Advice, SlowerSoundTakesFewerSteps) {
@@ -154,7 +154,7 @@ TEST(Advice, SlowerSoundTakesFewerSteps) {
   CaseRun before(text);
   CaseRun after(text, found->settings);
   for (CaseRun* run : {&before, &after}) run->run_to(end);
-  EXPECT_NEAR(static_cast<double>(before.world().step) / static_cast<double>(after.world().step), 2.0, 0.1);
+  EXPECT_NEAR(static_cast<double>(before.state().step) / static_cast<double>(after.state().step), 2.0, 0.1);
   EXPECT_LT(error_of_speed(after), 0.03);
   EXPECT_LT(density_variation(after), 0.05);
   expect_settled(text, *found);
@@ -169,7 +169,7 @@ TEST(Advice, LongerStepsAreAsGood) {
     CaseRun before(text);
     CaseRun after(text, found->settings);
     for (CaseRun* run : {&before, &after}) run->run_to(end);
-    EXPECT_NEAR(static_cast<double>(before.world().step) / static_cast<double>(after.world().step), 2.0, 0.1);
+    EXPECT_NEAR(static_cast<double>(before.state().step) / static_cast<double>(after.state().step), 2.0, 0.1);
     EXPECT_LT(error_of_speed(after), error_of_speed(before) + 0.005);
     expect_settled(text, *found);
   }
@@ -189,7 +189,7 @@ TEST(Advice, SinglePrecisionGivesTheSameAnswer) {
   for (CaseRun* run : {&before, &after}) run->run_to(20.0);
   for (const char* quantity : {"v_rms", "vorticity_rms"})
     EXPECT_NEAR(after.observe("flow_statistics", quantity) / before.observe("flow_statistics", quantity), 1.0, 1e-3);
-  EXPECT_EQ(after.world().step, before.world().step);
+  EXPECT_EQ(after.state().step, before.state().step);
   EXPECT_LT(frame_bytes(after.setup()), 0.8 * frame_bytes(before.setup()));
   EXPECT_FALSE(advised(text.precision("single"), "double_precision"));
 }

@@ -51,19 +51,19 @@ class ShearedBox : public testing::TestWithParam<Continuation> {};
 
 TEST_P(ShearedBox, FindsEveryPairOnce) {
   ParticleScene scene(box(), jittered(12, 9, 1.0, 0.4), std::make_unique<Sheared>(GetParam()));
-  World& world = scene.world();
+  State& state = scene.state();
   using Pair = std::tuple<std::int64_t, std::int64_t, std::int64_t, std::int64_t>;
   std::vector<Pair> found;
   std::vector<Pair> expected;
   const auto note = [&](std::vector<Pair>& pairs, Index i, Index j, double x, double y) {
     // To the middle of a part of 1e-6: rounding leaves it where it is.
-    if (std::hypot(x, y) < world.scene.support)
-      pairs.emplace_back(world.particles.id[i], world.particles.id[j], std::llround(x * 1e6), std::llround(y * 1e6));
+    if (std::hypot(x, y) < state.scene.support)
+      pairs.emplace_back(state.particles.id[i], state.particles.id[j], std::llround(x * 1e6), std::llround(y * 1e6));
   };
   Neighbours<double, 2> grid{};
-  world.neighbourhood.fill(grid);
-  const GhostView ghosts = world.neighbourhood.ghost_view();
-  for (Index i = 0; i < world.particles.count(); ++i) {
+  state.neighbourhood.fill(grid);
+  const GhostView ghosts = state.neighbourhood.ghost_view();
+  for (Index i = 0; i < state.particles.count(); ++i) {
     for (auto n = grid.block_begin[i]; n < grid.block_begin[i + 1]; ++n) {
       const NeighbourBlock& block = grid.block[n];
       for (Index j = block.first; j < block.first + block.lanes; ++j) {
@@ -73,8 +73,8 @@ TEST_P(ShearedBox, FindsEveryPairOnce) {
         note(found, i, j < ghosts.first ? j : ghosts.source[j - ghosts.first], way[0], way[1]);
       }
     }
-    const auto& at = world.particles.position;
-    for (Index j = 0; j < world.particles.count(); ++j)
+    const auto& at = state.particles.position;
+    for (Index j = 0; j < state.particles.count(); ++j)
       for (int up = -1; up <= 1; ++up)
         for (int across = -2; across <= 2; ++across)
           note(expected, i, j, at[0][i] - at[0][j] - 12.0 * across - moved * up, at[1][i] - at[1][j] - 9.0 * up);
@@ -88,24 +88,24 @@ TEST_P(ShearedBox, ChangesTheVelocityAlone) {
   auto boundary = std::make_unique<Sheared>(GetParam());
   const Sheared& sheared = *boundary;
   ParticleScene scene(box(), lattice(12, 9, 1.0), std::move(boundary));
-  World& world = scene.world();
-  Field& velocity = world.add_field("velocity", 2, false);
+  State& state = scene.state();
+  Field& velocity = state.add_field("velocity", 2, false);
   velocity.kind = FieldKind{Rank::vector, FieldRole::velocity, 2};
-  Field& shift = world.add_field("shift", 2, false);
+  Field& shift = state.add_field("shift", 2, false);
   shift.kind = FieldKind{Rank::vector, FieldRole::derived, 2};
-  world.sort_anew();
+  state.sort_anew();
   const auto refresh = [&] {
     for (Field* const field : {&velocity, &shift}) {
-      for (Index i = 0; i < world.particles.count(); ++i) {
+      for (Index i = 0; i < state.particles.count(); ++i) {
         field->set(0, i, i);
         field->set(1, i, -i);
       }
       ++field->version;
-      world.refresh_boundary(*field);
+      state.refresh_boundary(*field);
     }
   };
   refresh();
-  const GhostView ghosts = world.neighbourhood.ghost_view();
+  const GhostView ghosts = state.neighbourhood.ghost_view();
   ASSERT_GE(ghosts.count, 2 * 12 * 4) << "four rows beyond either face";
   for (Index n = 0; n < ghosts.count; ++n) {
     const double source = ghosts.source[n];

@@ -73,7 +73,7 @@ class WallsInside : public testing::TestWithParam<std::tuple<Continuation, Conti
 TEST_P(WallsInside, CompleteTheSupport) {
   const auto [along_x, along_y, first, precision] = GetParam();
   ParticleScene scene = scene_with(with_wall(first), along_x, along_y, precision);
-  EXPECT_GE(scene.world().neighbourhood.walls().count(), 10 * across);
+  EXPECT_GE(scene.state().neighbourhood.walls().count(), 10 * across);
   const auto volume = scene.derived("volume");
   const auto [least, most] = std::ranges::minmax(volume);
   EXPECT_LT(most / least - 1.0, precision == Precision::double_precision ? 1e-12 : 1e-5);
@@ -83,7 +83,7 @@ TEST_P(WallsInside, CompleteTheSupport) {
 TEST_P(WallsInside, ContinueALinearField) {
   const auto [along_x, along_y, first, precision] = GetParam();
   ParticleScene scene = scene_with(with_wall(first), along_x, along_y, precision);
-  scene.world().fields.at("f").kind = FieldKind{Rank::scalar, FieldRole::state, 2};
+  scene.state().fields.at("f").kind = FieldKind{Rank::scalar, FieldRole::state, 2};
   const double left = first * spacing;  // where the wall begins; the fluid there ends
   const double right = std::fmod(left + 10 * spacing, 1.0);
   const auto way = [](double from, double to) { return to - from - std::round(to - from); };
@@ -92,11 +92,11 @@ TEST_P(WallsInside, ContinueALinearField) {
   });
   const auto slope = scene.derived("f_gradient", 0);
   const auto across_it = scene.derived("f_gradient", 1);
-  const World& world = scene.world();
+  const State& state = scene.state();
   const double tolerance = precision == Precision::double_precision ? 1e-11 : 1e-4;
-  for (std::size_t i = 0; i < world.particles.id.size(); ++i) {
-    const auto id = static_cast<std::size_t>(world.particles.id[i]);
-    const double x = world.particles.position[0][i];
+  for (std::size_t i = 0; i < state.particles.id.size(); ++i) {
+    const auto id = static_cast<std::size_t>(state.particles.id[i]);
+    const double x = state.particles.position[0][i];
     const bool at_right = std::abs(way(right, x)) < 2 * spacing;
     if (at_right || std::abs(way(left, x)) < 2 * spacing) {
       EXPECT_NEAR(slope[id], at_right ? 1.0 : -1.0, tolerance) << "at x = " << x;
@@ -122,7 +122,7 @@ std::vector<double> slopes_in_channel(Continuation along_x, int component) {
       sites.walls.push_back({{site(column), 1.0 + depth, 0.0}, {site(column), 1.0 - depth, 0.0}, {0.0, -1.0, 0.0}});
     }
   ParticleScene scene = scene_with(sites, along_x, Continuation::none, Precision::double_precision);
-  scene.world().fields.at("f").kind = FieldKind{Rank::scalar, FieldRole::state, 2};
+  scene.state().fields.at("f").kind = FieldKind{Rank::scalar, FieldRole::state, 2};
   scene.set([](double x, double y) { return std::sin(2.0 * std::numbers::pi * x) * std::cos(3.0 * y); });
   return scene.derived("f_gradient", component);
 }

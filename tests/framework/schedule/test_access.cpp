@@ -23,9 +23,9 @@ using Declare = std::function<void(Pass&)>;
 void run_pass(const std::function<void(const PassContext&)>& body, const Declare& declare = {}, bool moved = false,
               Phase phase = Phase::rates) {
   ParticleScene scene({}, lattice(20, 20, 0.05));
-  if (moved) scene.world().mark_moved();
-  scene.world().add_field("out", 1, false);
-  scene.world().add_field("other", 1, false);
+  if (moved) scene.state().mark_moved();
+  scene.state().add_field("out", 1, false);
+  scene.state().add_field("other", 1, false);
   Catalogue catalogue(2);
   PassList list;
   list.field("f", Rank::scalar).advanced_by("out");
@@ -38,8 +38,8 @@ void run_pass(const std::function<void(const PassContext&)>& body, const Declare
   const bool for_reader = phase == Phase::end;
   StepGraph graph(catalogue, {{"physics.mine", &list, "mine"}},
                   for_reader ? std::vector<Reader>{{"observers.mine", {"out"}}} : std::vector<Reader>{});
-  DerivedFields derived(scene.world(), catalogue, {}, {}, DerivedFields::Form{});
-  Executor executor(scene.world(), graph, derived);
+  DerivedFields derived(scene.state(), catalogue, {}, {}, DerivedFields::Form{});
+  Executor executor(scene.state(), graph, derived);
   executor.run(phase, std::vector<bool>(for_reader ? 1 : 0, true));
 }
 

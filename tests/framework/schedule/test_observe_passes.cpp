@@ -14,8 +14,8 @@ using namespace mesogen::test;
 
 TEST(ObservePasses, RunWhenAReaderAsksAndSomethingHasChanged) {
   ParticleScene scene({}, lattice(20, 20, 0.05));
-  World& world = scene.world();
-  for (const char* const name : {"f_rate", "seen"}) world.add_field(name, 1, false);
+  State& state = scene.state();
+  for (const char* const name : {"f_rate", "seen"}) state.add_field(name, 1, false);
   Catalogue catalogue(2);
   PassList list;
   list.field("f", Rank::scalar).advanced_by("f_rate");
@@ -32,28 +32,28 @@ TEST(ObservePasses, RunWhenAReaderAsksAndSomethingHasChanged) {
   list.pass("for readers", Phase::observe).reads({"f"}).writes({"seen"}).run(fill(2.0));
   for (const FieldDeclaration& field : list.fields()) catalogue.add(field, "physics.mine");
   StepGraph graph(catalogue, {{"physics.mine", &list, "mine"}}, {{"observers.eye", {"seen"}}});
-  DerivedFields derived(world, catalogue, {}, {{}}, DerivedFields::Form{});
-  Executor executor(world, graph, derived);
+  DerivedFields derived(state, catalogue, {}, {{}}, DerivedFields::Form{});
+  Executor executor(state, graph, derived);
   const auto runs = [&] { return graph.works().back().counter.runs; };
   const std::vector<std::string> seen{"seen"};
 
   executor.run(Phase::rates, {true});
-  EXPECT_EQ(world.fields.at("seen").value(0, 7), 1.0);
+  EXPECT_EQ(state.fields.at("seen").value(0, 7), 1.0);
   executor.prepare(seen);
   executor.prepare(seen);
-  EXPECT_EQ(world.fields.at("seen").value(0, 7), 2.0);
+  EXPECT_EQ(state.fields.at("seen").value(0, 7), 2.0);
   EXPECT_EQ(runs(), 1);
-  world.mark_moved();
+  state.mark_moved();
   executor.prepare(seen);
   EXPECT_EQ(runs(), 2);
-  ++world.fields.at("f").version;
+  ++state.fields.at("f").version;
   executor.prepare(seen);
   EXPECT_EQ(runs(), 3);
   // The step has written over it.
   executor.run(Phase::rates, {false});
-  EXPECT_EQ(world.fields.at("seen").value(0, 7), 1.0);
+  EXPECT_EQ(state.fields.at("seen").value(0, 7), 1.0);
   executor.prepare(seen);
-  EXPECT_EQ(world.fields.at("seen").value(0, 7), 2.0);
+  EXPECT_EQ(state.fields.at("seen").value(0, 7), 2.0);
   EXPECT_EQ(runs(), 4);
 }
 

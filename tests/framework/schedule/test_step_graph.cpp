@@ -79,12 +79,12 @@ TEST(StepGraph, PrunesWhatNobodyNeeds) {
   one.pass("for nobody").reads({"q_gradient"}).writes({"idle"});
   all.reader("observers.area", {"seen"});
   const StepGraph graph = all.graph();
-  ASSERT_EQ(graph.works().size(), 3U);
-  EXPECT_TRUE(graph.works()[0].for_integration);
-  EXPECT_FALSE(graph.works()[1].for_integration);
-  EXPECT_TRUE(graph.works()[1].for_observer[0]);
-  EXPECT_FALSE(graph.works()[1].pruned());
-  EXPECT_TRUE(graph.works()[2].pruned());
+  ASSERT_EQ(graph.passes().size(), 3U);
+  EXPECT_TRUE(graph.passes()[0].for_integration);
+  EXPECT_FALSE(graph.passes()[1].for_integration);
+  EXPECT_TRUE(graph.passes()[1].for_observer[0]);
+  EXPECT_FALSE(graph.passes()[1].pruned());
+  EXPECT_TRUE(graph.passes()[2].pruned());
   EXPECT_EQ(titles(graph), (Titles{"one: rate", "one: for the observer"}));
   EXPECT_TRUE(graph.derived_for_integration().empty());
   EXPECT_EQ(graph.derived_for_reader(0), std::set<std::string>{"q_laplacian"});
@@ -212,11 +212,12 @@ TEST(StepGraph, AFieldOfADerivedNameIsThePluginsOwn) {
   EXPECT_EQ(titles(graph), (Titles{"flow: solve", "flow: rate"}));
   EXPECT_EQ(titles(graph, Phase::end), Titles{"flow: arrive"});
   EXPECT_EQ(titles(graph, Phase::observe), Titles{"flow: gradient for readers"});
-  for (const Work& work : graph.works()) {
-    const bool for_readers = work.pass.phase == Phase::observe;
-    EXPECT_EQ(work.for_integration, !for_readers) << work.title();
-    EXPECT_EQ(work.for_observer[0], for_readers || work.pass.name == "predict" || work.pass.name == "arrive")
-        << work.title();
+  for (const ScheduledPass& scheduled : graph.passes()) {
+    const bool for_readers = scheduled.pass.phase == Phase::observe;
+    EXPECT_EQ(scheduled.for_integration, !for_readers) << scheduled.title();
+    EXPECT_EQ(scheduled.for_observer[0],
+              for_readers || scheduled.pass.name == "predict" || scheduled.pass.name == "arrive")
+        << scheduled.title();
   }
   EXPECT_NE(graph.text().find("phase observe\n   1. flow: gradient for readers   (only when due: observers.eye)"),
             std::string::npos)

@@ -178,7 +178,7 @@ double fourth_moment(const char* kernel_name) {
   options.spacing = spacing;
   options.kernel = kernel_name;
   ParticleScene scene(options, lattice(20, 20, spacing));
-  const sph::SmoothingKernel& kernel = scene.world().kernel;
+  const sph::SmoothingKernel& kernel = scene.state().kernel;
   const double h = kernel.smoothing_length;
   double moment = 0.0;
   for (int j = -5; j <= 5; ++j) {

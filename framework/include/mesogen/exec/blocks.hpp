@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "mesogen/field/view.hpp"
+#include "mesogen/particles/field_view.hpp"
 
 namespace mesogen::exec {
 

@@ -3,9 +3,9 @@
 #include "mesogen/exec/blocks.hpp"
 #include "mesogen/exec/first_failure.hpp"
 #include "mesogen/exec/subnormals.hpp"
-#include "mesogen/exec/turns.hpp"
+#include "mesogen/exec/work_stealing.hpp"
 #include "mesogen/export.hpp"
-#include "mesogen/field/view.hpp"
+#include "mesogen/particles/field_view.hpp"
 
 /// Where the passes of a run are executed.
 namespace mesogen::exec {
@@ -42,7 +42,7 @@ void for_each(const Space& space, Index count, const Function& function) {
 #endif
   FirstFailure failure;
   const Blocks blocks(count);
-  Turns turns(blocks.number());
+  WorkStealing turns(blocks.number());
 #pragma omp parallel
   {
     [[maybe_unused]] const FlushSubnormals flush;

@@ -48,7 +48,7 @@ struct Grid {
 };
 
 /// Loops over fewer points or modes are left to one thread: several would wait for each other longer than they compute.
-inline constexpr int few = 4096;
+inline constexpr int parallel_threshold = 4096;
 
 /// The even number nearest to `wanted`, at least 8, without other factors than 2, 3 and 5: what a Fourier transform
 /// takes fast.

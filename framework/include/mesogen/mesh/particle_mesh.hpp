@@ -9,10 +9,10 @@
 #include <utility>
 #include <vector>
 
-#include "mesogen/field/view.hpp"
 #include "mesogen/mesh/cubic_spline.hpp"
 #include "mesogen/mesh/four_points.hpp"
 #include "mesogen/mesh/grid.hpp"
+#include "mesogen/particles/field_view.hpp"
 
 namespace mesogen::mesh {
 
@@ -69,7 +69,7 @@ class ParticleMesh {
       const int end = std::min(layers, first + layers_in_slab);
       for (Index n = begin_of_layer(first); n < begin_of_layer(end); ++n) add<Count>(at(n), first, value, slab, field);
     }
-#pragma omp parallel for schedule(static) if (grid_.point_count() >= few)
+#pragma omp parallel for schedule(static) if (grid_.point_count() >= parallel_threshold)
     for (int row = 0; row < grid_.row_count(); ++row) put_together<Count>(row, field, layer, out);
   }
 
@@ -81,7 +81,7 @@ class ParticleMesh {
     // Rows with their first points once more behind the last.
     const std::ptrdiff_t field = static_cast<std::ptrdiff_t>(line_) * rows;
     lines_.resize(static_cast<std::size_t>(field * Count));
-#pragma omp parallel for schedule(static) if (grid_.point_count() >= few)
+#pragma omp parallel for schedule(static) if (grid_.point_count() >= parallel_threshold)
     for (int row = 0; row < rows; ++row) {
       for (int c = 0; c < Count; ++c) {
         double* const line = lines_.data() + c * field + static_cast<std::ptrdiff_t>(row) * line_;

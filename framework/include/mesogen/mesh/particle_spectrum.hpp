@@ -48,7 +48,7 @@ class ParticleSpectrum {
   void for_each_mode(const Action& action) const {
     const int rows = grid_.row_count();
     const int in_row = grid_.modes_in_row();
-#pragma omp parallel for schedule(static) if (rows * in_row >= few)
+#pragma omp parallel for schedule(static) if (rows * in_row >= parallel_threshold)
     for (int row = 0; row < rows; ++row) {
       std::array<int, Dim> at{};
       grid_.row_coordinates(row, at);
@@ -65,7 +65,7 @@ class ParticleSpectrum {
   /// those of a field as seen from there.
   void locate(const std::array<const double*, Dim>& position, Index count, const std::array<double, Dim>& origin = {}) {
     int lost = 0;
-#pragma omp parallel for schedule(static) reduction(| : lost) if (count >= few)
+#pragma omp parallel for schedule(static) reduction(| : lost) if (count >= parallel_threshold)
     for (Index i = 0; i < count; ++i)
       for (int d = 0; d < Dim; ++d) lost |= static_cast<int>(!(std::abs(position[d][i]) < 1e9 * grid_.length[d]));
     if (lost != 0) throw Error(ExitCode::run_failed, "the coordinate of a particle is not finite");
@@ -79,7 +79,7 @@ class ParticleSpectrum {
     values(1);
     const double per_mean = static_cast<double>(grid_.point_count()) / mesh_.count();
     const auto points = static_cast<std::ptrdiff_t>(weight_.size());
-#pragma omp parallel for schedule(static) if (points >= few)
+#pragma omp parallel for schedule(static) if (points >= parallel_threshold)
     for (std::ptrdiff_t x = 0; x < points; ++x)
       values_[0][static_cast<std::size_t>(x)] = weight_[static_cast<std::size_t>(x)] * per_mean - 1.0;
     transform_.forward(values_[0].data(), modes);
@@ -155,7 +155,7 @@ class ParticleSpectrum {
     const int rows = grid_.row_count();
     const int columns = grid_.points[0];
     row_sums_.resize(static_cast<std::size_t>(rows));
-#pragma omp parallel for schedule(static) reduction(min : least) if (rows * columns >= few)
+#pragma omp parallel for schedule(static) reduction(min : least) if (rows * columns >= parallel_threshold)
     for (int row = 0; row < rows; ++row) {
       double sum = 0.0;
       for (int x = 0; x < columns; ++x) {
@@ -187,7 +187,7 @@ class ParticleSpectrum {
     spread_modes_.resize(mode_count());
     const auto points = static_cast<std::ptrdiff_t>(weight_.size());
     for (int c = 0; c < Count; ++c) {
-#pragma omp parallel for schedule(static) if (points >= few)
+#pragma omp parallel for schedule(static) if (points >= parallel_threshold)
       for (std::ptrdiff_t x = 0; x < points; ++x) to[c][x] /= weight_[static_cast<std::size_t>(x)];
       transform_.forward(to[c], spread_modes_.data());
       for_each_mode([&](std::size_t n, const WaveVector&) {

@@ -3,7 +3,7 @@
 #include <array>
 #include <span>
 
-#include "mesogen/field/kind.hpp"
+#include "mesogen/particles/field_kind.hpp"
 
 namespace mesogen {
 

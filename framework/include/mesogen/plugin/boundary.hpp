@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "mesogen/field/kind.hpp"
+#include "mesogen/particles/field_kind.hpp"
 #include "mesogen/plugin/affine_rule.hpp"
 #include "mesogen/plugin/parameters.hpp"
 #include "mesogen/plugin/scene.hpp"

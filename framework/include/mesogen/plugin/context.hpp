@@ -4,9 +4,9 @@
 #include <string_view>
 #include <type_traits>
 
-#include "mesogen/domain/neighbours.hpp"
 #include "mesogen/exec/for_each.hpp"
-#include "mesogen/field/view.hpp"
+#include "mesogen/neighbours/neighbours.hpp"
+#include "mesogen/particles/field_view.hpp"
 #include "mesogen/plugin/scene.hpp"
 
 namespace mesogen {

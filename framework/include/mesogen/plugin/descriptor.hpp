@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "mesogen/export.hpp"
-#include "mesogen/field/rank.hpp"
+#include "mesogen/particles/rank.hpp"
 
 namespace mesogen {
 

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "mesogen/export.hpp"
-#include "mesogen/field/rank.hpp"
-#include "mesogen/field/view.hpp"
+#include "mesogen/particles/field_view.hpp"
+#include "mesogen/particles/rank.hpp"
 #include "mesogen/plugin/parameters.hpp"
 #include "mesogen/plugin/passes.hpp"
 #include "mesogen/plugin/scene.hpp"

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "mesogen/field/view.hpp"
+#include "mesogen/particles/field_view.hpp"
 #include "mesogen/plugin/parameters.hpp"
 #include "mesogen/plugin/scene.hpp"
 

@@ -41,7 +41,7 @@ struct PairLoop {
 
 /// Two passes over the same pairs in one loop, which find each distance once. Neither reads what the other writes.
 template <class First, class Second>
-struct Together {
+struct FusedPass {
   static constexpr int sum_count = First::sum_count + Second::sum_count;
   First first;
   Second second;

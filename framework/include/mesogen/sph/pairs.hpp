@@ -1,8 +1,8 @@
 #pragma once
 
-#include "mesogen/domain/neighbours.hpp"
 #include "mesogen/exec/lanes.hpp"
 #include "mesogen/exec/unroll.hpp"
+#include "mesogen/neighbours/neighbours.hpp"
 
 namespace mesogen::sph {
 

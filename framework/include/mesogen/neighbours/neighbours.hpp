@@ -1,0 +1,153 @@
+#pragma once
+
+#include "mesogen/particles/field_view.hpp"
+
+namespace mesogen {
+
+/// A run of particles that lie behind each other in storage, and how their coordinates relate to those of the cell
+/// that looks at them: r_i - r_j = (local_i - offset) - local_j, offset = shift * width of a cell.
+template <class Real, int Dim>
+struct Segment {
+  Index begin;
+  Index end;
+  int shift[Dim];
+  Real offset[Dim];
+};
+
+/// A few neighbours of one particle that lie behind each other in storage: what a pair sum handles at a time.
+struct NeighbourBlock {
+  /// How many they are at most: as many as the widest pack holds.
+  template <class Real>
+  static constexpr int width = 64 / sizeof(Real);
+  static constexpr int most_dimensions = 3;
+  static constexpr int most_shift = 127;
+
+  Index first;
+  std::int8_t lanes;                   ///< how many they are
+  std::int8_t shift[most_dimensions];  ///< in cells, as in Segment
+};
+
+/// Where each particle's neighbours are: the cell grid as a pair pass sees it. Trivially copyable.
+///
+/// Particles are stored by cell. Cells are narrow along x and half as high as the support across it, so the neighbours
+/// of a particle are five short runs of contiguous storage in 2D (25 in 3D). Where in these runs the particles within
+/// reach begin and end is found once a sorting and kept, cut into blocks. Coordinates are kept relative to a tile (a
+/// group of cells of one row): small numbers, so that float stays exact however large the box is or however far it lies
+/// from the origin. The same offsets carry periodic images, so a wrapped box needs no minimum image in the loop, and
+/// ghosts are no special case: they are in cells like others, outside the box. Particles of walls are runs of their
+/// own in the same cells.
+template <class Real, int Dim>
+struct Neighbours {
+  const Real* local[Dim];   ///< particle coordinates relative to the tile of their cell, m
+  const Index* cell_begin;  ///< by cell: particles inside the box, their ghosts outside it
+  const Index* cell_end;
+  const Index* wall_begin;  ///< by cell, inside or outside: particles of walls; null where there are none
+  const Index* wall_end;
+  const Index* cell_of;             ///< for each particle, the number of its cell inside the box
+  const std::int64_t* block_begin;  ///< for each particle, the first of its blocks; one more at the end
+  const NeighbourBlock* block;      ///< together they hold each particle within the support once, itself included
+  const Real* offset[Dim];          ///< by shift of a block, from most_shift below zero to as many above
+  Index particle_count;             ///< particles of the fluid
+  int cells[Dim];                   ///< cells inside the box
+  int padding[Dim];                 ///< layers of cells outside it on either side, for ghosts and walls
+  int reach[Dim];                   ///< how many cells away a neighbour can be
+  bool wrapped[Dim];                ///< does the grid continue on the other side?
+  double width[Dim];                ///< of a cell, m
+  int tile;                         ///< cells in a tile, along x
+  Real radius;                      ///< support of the kernel, m
+  Real smallest;  ///< added to the square of a distance, so that 1/r is finite for a particle and itself, m^2
+
+  static constexpr int most_segments = Dim == 2 ? 48 : 240;
+
+  [[nodiscard]] MESOGEN_HOST_DEVICE int cell_count() const {
+    int n = 1;
+    for (int d = 0; d < Dim; ++d) n *= cells[d];
+    return n;
+  }
+
+  /// Index into cell_begin of a cell given by its coordinates, which may lie in the padding.
+  [[nodiscard]] MESOGEN_HOST_DEVICE int cell_index(const int (&at)[Dim]) const {
+    int index = 0;
+    for (int d = Dim - 1; d >= 0; --d) index = index * (cells[d] + 2 * padding[d]) + at[d] + padding[d];
+    return index;
+  }
+
+  /// Coordinates of the n-th cell inside the box.
+  MESOGEN_HOST_DEVICE void cell_coordinates(int n, int (&at)[Dim]) const {
+    for (int d = 0; d < Dim; ++d) {
+      at[d] = n % cells[d];
+      n /= cells[d];
+    }
+  }
+
+  /// All runs of particles within reach of a cell; returns their number.
+  MESOGEN_HOST_DEVICE int segments(const int (&centre)[Dim], Segment<Real, Dim>* out) const {
+    int count = 0;
+    const int origin = tile_of(centre[0]).first;
+    int row[Dim];
+    if constexpr (Dim == 2) {
+      for (row[1] = -reach[1]; row[1] <= reach[1]; ++row[1]) count = add_row(centre, row, origin, out, count);
+    } else {
+      for (row[2] = -reach[2]; row[2] <= reach[2]; ++row[2])
+        for (row[1] = -reach[1]; row[1] <= reach[1]; ++row[1]) count = add_row(centre, row, origin, out, count);
+    }
+    return count;
+  }
+
+  /// A group of cells [first, last] along x whose coordinates begin with the first, the one that holds cell `at`.
+  /// `first_stored` is the cell where `first` is stored: another one if the grid wraps.
+  struct Tile {
+    int first;
+    int last;
+    int first_stored;
+  };
+  [[nodiscard]] MESOGEN_HOST_DEVICE Tile tile_of(int at) const {
+    const int n = cells[0];
+    if (!wrapped[0] && at < 0) return {-padding[0], -1, -padding[0]};
+    if (!wrapped[0] && at >= n) return {n, n + padding[0] - 1, n};
+    int image = 0;
+    if (at < 0 || at >= n) {
+      image = at / n;
+      if (at < image * n) --image;
+    }
+    const int stored = (at - image * n) / tile * tile;
+    const int first = image * n + stored;
+    const int last = first + tile < (image + 1) * n ? first + tile - 1 : (image + 1) * n - 1;
+    return {first, last, stored};
+  }
+
+ private:
+  MESOGEN_HOST_DEVICE int add_row(const int (&centre)[Dim], const int (&row)[Dim], int origin, Segment<Real, Dim>* out,
+                                  int count) const {
+    int at[Dim];
+    Segment<Real, Dim> segment{};
+    for (int d = 1; d < Dim; ++d) {
+      segment.shift[d] = row[d];
+      segment.offset[d] = Real(row[d] * width[d]);
+      at[d] = centre[d] + row[d];
+      if (wrapped[d] && (at[d] < 0 || at[d] >= cells[d])) at[d] = ((at[d] % cells[d]) + cells[d]) % cells[d];
+    }
+    const int to = centre[0] + reach[0];
+    for (int from = centre[0] - reach[0]; from <= to;) {
+      const Tile t = tile_of(from);
+      const int last = t.last < to ? t.last : to;
+      at[0] = t.first_stored + (from - t.first);
+      const int first_cell = cell_index(at);
+      const int last_cell = first_cell + last - from;
+      segment.shift[0] = t.first - origin;
+      segment.offset[0] = Real(segment.shift[0] * width[0]);
+      segment.begin = cell_begin[first_cell];
+      segment.end = cell_end[last_cell];
+      if (segment.begin < segment.end) out[count++] = segment;
+      if (wall_begin != nullptr) {
+        segment.begin = wall_begin[first_cell];
+        segment.end = wall_end[last_cell];
+        if (segment.begin < segment.end) out[count++] = segment;
+      }
+      from = last + 1;
+    }
+    return count;
+  }
+};
+
+}  // namespace mesogen

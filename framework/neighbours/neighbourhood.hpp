@@ -1,0 +1,129 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "exec/backend.hpp"
+#include "exec/memory.hpp"
+#include "ghosts/ghosts.hpp"
+#include "ghosts/wall_set.hpp"
+#include "mesogen/export.hpp"
+#include "mesogen/neighbours/neighbours.hpp"
+#include "mesogen/plugin/boundary.hpp"
+#include "mesogen/plugin/scene.hpp"
+#include "neighbours/cell_grid.hpp"
+#include "neighbours/neighbour_blocks.hpp"
+#include "particles/particles.hpp"
+#include "sph/mirror_values.hpp"
+
+namespace mesogen {
+
+/// The cell grid and all that lies in it: particles of the fluid, of walls, and ghosts, in this order of storage.
+///
+/// Cells reach a little farther than the support (the skin), so the sorting and the ghosts stay valid until some
+/// particle has moved by half of it: hundreds of steps in a slow flow. All that follows from `sorted_position()`, the
+/// coordinates at the last sorting; a checkpoint keeps them, so that a resumed run sums in the same order.
+class MESOGEN_EXPORT Neighbourhood {
+ public:
+  Neighbourhood(const Scene& scene, const Boundary& boundary, const Backend& backend = Backend::host());
+
+  static constexpr double skin_in_spacings = 0.1;
+
+  /// Particles moved. Returns the new order of storage if they had to be sorted anew (place n takes what stood at
+  /// order[n]; particles themselves are already permuted), nullptr if not.
+  const exec::Array<Index>* update(Particles& particles);
+
+  /// Particles moved. Keeps the order of storage; false, and neighbours out of date, if they must be sorted anew.
+  bool update_without_sorting(const Particles& particles);
+
+  /// Sorts particles, and finds no neighbours: the next update() does. Returns the new order of storage.
+  const exec::Array<Index>& reorder(Particles& particles);
+
+  /// Do pair sums on the host look for neighbours? They go by blocks, which cost a search at each sorting; a device
+  /// goes by cells. Unless it is said: where the backend is the host.
+  void find_blocks_for_host(bool wanted) { blocks_wanted_ = wanted; }
+
+  /// Is there an order of storage?
+  [[nodiscard]] bool sorted() const { return !cell_of_.empty(); }
+  /// The next update() sorts, wherever particles are.
+  void forget_order() { cell_of_.clear(); }
+
+  /// Returns to an earlier sorting: particles are in its order of storage and were sorted at these coordinates. Finds
+  /// no neighbours: the next update() does.
+  void restore(const std::array<std::vector<double>, 3>& sorted_position);
+  [[nodiscard]] const std::array<exec::Array<double>, 3>& sorted_position() const { return sorted_position_; }
+
+  [[nodiscard]] const WallSet& walls() const { return walls_; }
+  [[nodiscard]] const Ghosts& ghosts() const { return ghosts_; }
+  [[nodiscard]] WallView wall_view() const { return walls_.view(scene_.particle_count); }
+  [[nodiscard]] GhostView ghost_view() const { return ghosts_.view(scene_.particle_count + walls_.count()); }
+  /// How many wall particles and ghosts are stored behind the particles.
+  [[nodiscard]] Index boundary_count() const { return walls_.count() + ghosts_.count(); }
+  /// Particles and ghosts around the mirror points of the walls, as they were at the last sorting.
+  template <int Dim>
+  [[nodiscard]] sph::MirrorPoints<Dim> mirrors() const;
+  [[nodiscard]] const CellGrid& grid() const { return grid_; }
+  /// How much farther than the support cells reach, m: between sortings a particle strays by at most half of it.
+  [[nodiscard]] double skin() const { return skin_; }
+  /// Raised whenever a particle has moved: what was computed from positions is out of date.
+  [[nodiscard]] std::uint64_t version() const { return version_; }
+  /// Raised whenever the ghosts are others.
+  [[nodiscard]] std::uint64_t sorted_version() const { return sorted_version_; }
+  [[nodiscard]] std::int64_t sortings() const { return sortings_; }
+
+  template <class Real, int Dim>
+  void fill(Neighbours<Real, Dim>& grid) const;
+
+ private:
+  void order(Particles& particles);
+  void keep_inside(Particles& particles);
+  void keep_inside(Particles& particles, Index i) const;
+  void sort_particles(Particles& particles);
+  void find_cells();
+  void build_ghosts();
+  void make_room();
+  void place_mirrors();
+  template <class Real>
+  [[nodiscard]] bool place(const std::array<exec::Array<double>, 3>& position,
+                           std::array<exec::Array<Real>, 3>& local) const;
+  [[nodiscard]] bool place(const std::array<exec::Array<double>, 3>& position);
+  void find_blocks();
+  template <class Real, int Dim>
+  void find_blocks_of();
+
+  const Scene& scene_;
+  const Boundary& boundary_;
+  const Backend& backend_;
+  double skin_;
+  CellGrid grid_;
+
+  std::array<exec::Array<double>, 3> sorted_position_;
+  exec::Array<Index> order_;
+  exec::Array<Index> cell_of_;     // number, inside the box, of each particle's cell
+  exec::Array<Index> cell_begin_;  // by padded cell
+  exec::Array<Index> cell_end_;
+  NeighbourBlocks blocks_;
+  bool blocks_wanted_;
+  bool blocks_found_ = false;
+  Ghosts ghosts_;
+  WallSet walls_;
+  std::vector<CellGrid::Cell> mirror_cell_;          // of the mirror point of each wall particle
+  std::array<std::vector<double>, 3> mirror_local_;  // relative to the tile of its cell
+  NeighbourBlocks mirror_blocks_;
+  std::array<exec::Array<float>, 3> local_single_;
+  std::array<exec::Array<double>, 3> local_double_;
+  /// Room for one array of each kind while particles change places.
+  struct Scratch {
+    explicit Scratch(exec::Memory& memory) : position(memory), images(memory), id(memory) {}
+    exec::Array<double> position;
+    exec::Array<std::int32_t> images;
+    exec::Array<std::int64_t> id;
+  };
+  Scratch scratch_;
+  std::uint64_t version_ = 0;
+  std::uint64_t sorted_version_ = 0;
+  std::int64_t sortings_ = 0;
+};
+
+}  // namespace mesogen

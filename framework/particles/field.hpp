@@ -1,0 +1,92 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "exec/backend.hpp"
+#include "exec/memory.hpp"
+#include "mesogen/export.hpp"
+#include "mesogen/particles/field_kind.hpp"
+#include "mesogen/particles/field_view.hpp"
+
+namespace mesogen {
+
+/// A named array over the particles of the fluid, those of walls, and ghosts.
+///
+/// Passes see it in the precision of the run. A field that is advanced in time also has a master copy in double: a step
+/// changes it by less than float resolves (at the paper's parameters by 1e-7 of itself).
+class MESOGEN_EXPORT Field {
+ public:
+  Field(std::string name, int components, Precision precision, bool integrated,
+        const Backend& backend = Backend::host());
+
+  [[nodiscard]] const std::string& name() const { return name_; }
+  [[nodiscard]] int components() const { return components_; }
+  [[nodiscard]] bool integrated() const { return integrated_; }
+  [[nodiscard]] bool is_double() const { return precision_ == Precision::double_precision; }
+
+  /// Makes room for so many particles, and for wall particles and ghosts; keeps the values of the particles.
+  void resize(Index particles, Index of_boundary);
+
+  template <class Real>
+  [[nodiscard]] FieldView<Real> view();
+  /// Of an integrated field: the double that is advanced. The same memory as view<double>() in double precision.
+  [[nodiscard]] FieldView<double> master() { return {double_.data(), stride_}; }
+  /// Value in the best precision there is.
+  [[nodiscard]] double value(int component, Index particle) const;
+  void set(int component, Index particle, double value);
+  void fill_zero();
+  /// Exchanges the doubles of two integrated fields of as many components, without touching them. Ghosts and walls of
+  /// either are out of date then.
+  void exchange_master(Field& other);
+
+  /// Room that permuting a field takes; one for all of them.
+  struct Scratch {
+    explicit Scratch(exec::Memory& memory = exec::Memory::host()) : exact(memory), single(memory) {}
+    exec::Array<double> exact;
+    exec::Array<float> single;
+  };
+  /// New place of every particle: place n takes what stood at order[n]. No particle gets another value, so the version
+  /// stays.
+  void permute(const exec::Array<Index>& order, Scratch& scratch);
+
+  /// Every write raises the version; ghosts are of version `refreshed`, and walls of the positions `refreshed_at`.
+  std::uint64_t version = 1;
+  std::uint64_t refreshed = 0;
+  std::uint64_t refreshed_at = 0;
+
+  /// What a boundary goes by. Without it the values at ghosts and walls are the same as in the fluid.
+  std::optional<FieldKind> kind;
+
+  std::string unit;
+  std::string doc;
+
+ private:
+  std::string name_;
+  int components_;
+  Precision precision_;
+  bool integrated_;
+  const Backend& backend_;
+  Index particles_ = 0;
+  std::ptrdiff_t stride_ = 0;
+  exec::Array<float> single_;
+  exec::Array<double> double_;
+};
+
+/// All fields of a run, by name.
+class MESOGEN_EXPORT FieldStore {
+ public:
+  Field& add(std::unique_ptr<Field> field);
+  [[nodiscard]] Field* find(std::string_view name) const;
+  [[nodiscard]] Field& at(std::string_view name) const;
+  [[nodiscard]] const std::map<std::string, std::unique_ptr<Field>, std::less<>>& all() const { return fields_; }
+
+ private:
+  std::map<std::string, std::unique_ptr<Field>, std::less<>> fields_;
+};
+
+}  // namespace mesogen

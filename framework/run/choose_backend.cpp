@@ -1,0 +1,39 @@
+#include "run/choose_backend.hpp"
+
+#include "exec/cuda_library.hpp"
+
+namespace mesogen {
+
+namespace {
+
+/// Why not all physics of a case can compute on a device; empty if they can. What is no plugin at all is told
+/// elsewhere.
+std::string without_code(const Case& source, const PluginRegistry& registry) {
+  for (const PluginChoice& choice : source.physics) {
+    if (registry.find(PluginKind::physics, choice.type) == nullptr) continue;
+    if (!registry.has_cuda(choice.type)) return "'" + choice.type + "' has no code for CUDA";
+    if (std::string problem = registry.cuda_problem(choice.type); !problem.empty()) return problem;
+  }
+  return {};
+}
+
+}  // namespace
+
+BackendChoice choose_backend(const Case& source, const PluginRegistry& registry) {
+  BackendChoice choice;
+  if (source.run.device == "cpu") return choice;
+  const bool automatic = source.run.device == "auto";
+  if (automatic) choice.why_on_host = without_code(source, registry);
+  if (!choice.why_on_host.empty()) return choice;
+  const CudaBackend cuda = cuda_backend();
+  if (cuda.backend != nullptr) {
+    choice.backend = cuda.backend;
+  } else if (automatic) {
+    choice.why_on_host = cuda.problem;
+  } else {
+    choice.problem = cuda.problem + R"(; take "cpu", or "auto" for CUDA where that can be)";
+  }
+  return choice;
+}
+
+}  // namespace mesogen

@@ -1,0 +1,78 @@
+#include "run/closest_pair.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mesogen {
+
+namespace {
+
+/// Calls visit(j, squared distance) for every j in the cells around particle i of a cell.
+template <class Real, class Visit>
+void visit_around(const Neighbours<Real, 2>& grid, const Segment<Real, 2>* segments, int count, Index i,
+                  const Visit& visit) {
+  for (int s = 0; s < count; ++s) {
+    const Real x = grid.local[0][i] - segments[s].offset[0];
+    const Real y = grid.local[1][i] - segments[s].offset[1];
+    for (Index j = segments[s].begin; j < segments[s].end; ++j) {
+      const Real dx = x - grid.local[0][j];
+      const Real dy = y - grid.local[1][j];
+      if (j != i) visit(j, dx * dx + dy * dy);
+    }
+  }
+}
+
+template <class Real>
+std::optional<ClosestPair> closest_pair_of(const State& state, double within) {
+  Neighbours<Real, 2> grid{};
+  state.neighbourhood.fill(grid);
+  // A wall is for nobody to pair with.
+  grid.wall_begin = grid.wall_end = nullptr;
+  // The grid is made for the support; only the next cells matter here. Until they are sorted anew two particles stand
+  // up to half a skin outside their cells, each.
+  for (int d = 0; d < 2; ++d)
+    grid.reach[d] =
+        std::min(grid.reach[d], static_cast<int>(std::ceil((within + state.neighbourhood.skin()) / grid.width[d])));
+  const auto in_cell = [&grid](int cell, const auto& action) {
+    int at[2];
+    grid.cell_coordinates(cell, at);
+    const int index = grid.cell_index(at);
+    if (grid.cell_begin[index] == grid.cell_end[index]) return;
+    Segment<Real, 2> segments[Neighbours<Real, 2>::most_segments];
+    const int count = grid.segments(at, segments);
+    for (Index i = grid.cell_begin[index]; i < grid.cell_end[index]; ++i) action(i, segments, count);
+  };
+  const GhostView ghosts = state.neighbourhood.ghost_view();
+  const int cells = grid.cell_count();
+  Real closest = Real(within * within);
+  const Real limit = closest;
+#pragma omp parallel for schedule(static) reduction(min : closest)
+  for (int cell = 0; cell < cells; ++cell)
+    in_cell(cell, [&](Index i, const Segment<Real, 2>* segments, int count) {
+      visit_around(grid, segments, count, i, [&](Index, Real square) { closest = std::min(closest, square); });
+    });
+  if (!(closest < limit)) return std::nullopt;
+
+  // Now which they are: only once in the life of a run.
+  ClosestPair pair{-1, -1, within};
+  Real least = limit;
+  for (int cell = 0; cell < cells; ++cell)
+    in_cell(cell, [&](Index i, const Segment<Real, 2>* segments, int count) {
+      visit_around(grid, segments, count, i, [&](Index j, Real square) {
+        if (!(square < least)) return;
+        least = square;
+        pair = {i, j < ghosts.first ? j : ghosts.source[j - ghosts.first], std::sqrt(static_cast<double>(square))};
+      });
+    });
+  // The compiler may round the two loops differently.
+  if (pair.a < 0) return std::nullopt;
+  return pair;
+}
+
+}  // namespace
+
+std::optional<ClosestPair> closest_pair(const State& state, double within) {
+  return state.single() ? closest_pair_of<float>(state, within) : closest_pair_of<double>(state, within);
+}
+
+}  // namespace mesogen

@@ -1,0 +1,202 @@
+#include "run/guard.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "mesogen/diagnostics/error.hpp"
+#include "run/closest_pair.hpp"
+#include "sph/lattice.hpp"
+#include "text/rounded_text.hpp"
+
+namespace mesogen {
+
+namespace {
+
+// How far a particle may go in one step, in spacings, before the run has plainly run away.
+constexpr double farthest = 0.5;
+
+// The automatic step follows a flow that runs away and would never let it arrive: it is given up when motion asks for
+// steps this much shorter than the plugins' limits.
+constexpr double shortest = 1e-3;
+
+// Volumes over that of the lattice. A particle of twice the volume has lost half of its neighbours to a void; where
+// three stand in the place of one it has a third. Random starts come down to 0.47 (a jitter of half a spacing), and
+// spread.
+constexpr double smallest_volume = 1.0 / 3.0;
+constexpr double largest_volume = 2.0;
+
+// Two particles nearer than this, in spacings, see the same neighbours and stay together for good: one of them is lost.
+// A pair hardly shows in the volumes, so pairs are looked for by themselves; that costs about as much as a tenth of a
+// step, so it is done now and then.
+constexpr double nearest = 0.1;
+constexpr std::int64_t steps_between_looks = 128;
+
+double length_of(const Field& field, Index i) {
+  if (field.components() == 1) return field.value(0, i);
+  double square = 0.0;
+  for (int c = 0; c < field.components(); ++c) square += field.value(c, i) * field.value(c, i);
+  return std::sqrt(square);
+}
+
+/// The particle that is farthest outside; what is not a number is farther than anything.
+Index farthest_outside(const Field& field, Index count, double lowest, double highest) {
+  Index worst = 0;
+  double most = -HUGE_VAL;
+  for (Index i = 0; i < count; ++i) {
+    const double value = length_of(field, i);
+    const double excess = std::isnan(value) ? HUGE_VAL : std::max(lowest - value, value - highest);
+    if (excess > most) {
+      most = excess;
+      worst = i;
+    }
+  }
+  return worst;
+}
+
+// Looks at the numbers that passes see: half as many bytes as the doubles of an advanced field.
+template <class Real>
+exec::Finding look_outside(const State& state, Field& field, double lowest, double highest) {
+  return state.backend.loops<Real>().is_outside(field.view<Real>(), field.components(), state.particles.count(), lowest,
+                                                highest);
+}
+
+exec::Finding look_outside(const State& state, Field& field, double lowest, double highest) {
+  return state.single() ? look_outside<float>(state, field, lowest, highest)
+                        : look_outside<double>(state, field, lowest, highest);
+}
+
+// On a lattice of as many particles as the box holds.
+double volume_on_lattice(const State& state) {
+  const int dimension = state.scene.dimension;
+  double filled = 1.0 / static_cast<double>(state.scene.particle_count);
+  for (int d = 0; d < dimension; ++d) filled *= state.scene.box[d];
+  return sph::volume_on_lattice(state.kernel, std::pow(filled, 1.0 / dimension), dimension);
+}
+
+}  // namespace
+
+Guard::Guard(State& state, const Catalogue& catalogue, const StepGraph& graph, const Integrator& integrator,
+             const StepControl& control)
+    : state_(state), integrator_(integrator), control_(control), lattice_volume_(volume_on_lattice(state)) {
+  // What is made for observers alone is out of date, or was never made.
+  const auto made_at_each_step = [&](const std::string& field) {
+    return std::any_of(graph.passes().begin(), graph.passes().end(), [&](const ScheduledPass& scheduled) {
+      const auto& written = scheduled.pass.write_list;
+      const auto& added = scheduled.pass.accumulate_list;
+      return scheduled.for_integration && (std::find(written.begin(), written.end(), field) != written.end() ||
+                                           std::find(added.begin(), added.end(), field) != added.end());
+    });
+  };
+  for (const auto& [name, entry] : catalogue.all())
+    if (entry.declaration.bounds && (catalogue.is_state(name) || made_at_each_step(name)))
+      fields_.push_back({&state.fields.at(name), *entry.declaration.bounds});
+  looks_for_pairs_ = integrator.moves() && graph.sums_pairs();
+  if (integrator.moves() && !graph.derived_for_integration().empty()) volume_ = &state.fields.at("volume");
+}
+
+void Guard::check(const Motion& motion) const {
+  check_finite(motion);
+  check_speed(motion);
+  check_step(motion);
+  std::vector<exec::Finding> outside;
+  for (const auto& [field, bounds] : fields_)
+    outside.push_back(look_outside(state_, *field, bounds.lowest, bounds.highest));
+  if (volume_ != nullptr)
+    outside.push_back(
+        look_outside(state_, *volume_, smallest_volume * lattice_volume_, largest_volume * lattice_volume_));
+  state_.backend.collect();
+  const auto is_outside = [&](std::size_t n) { return state_.backend.found(outside[n]) > 0.0; };
+  for (std::size_t n = 0; n < fields_.size(); ++n)
+    if (is_outside(n)) stop_at_field(fields_[n]);
+  if (volume_ != nullptr && is_outside(fields_.size())) stop_at_volume();
+  if (looks_for_pairs_ && state_.step % steps_between_looks == 0) check_distances();
+}
+
+void Guard::check_finite(const Motion& motion) const {
+  if (motion.finite) return;
+  const auto bad = integrator_.find_bad();
+  stop("broke down: '" + bad.field + "' is not finite" + (bad.particle >= 0 ? " at " + particle(bad.particle) : ""),
+       calmer());
+}
+
+void Guard::check_speed(const Motion& motion) const {
+  if (!(motion.fastest * state_.step_size > farthest * state_.scene.spacing)) return;
+  const Index place = farthest_outside(*integrator_.velocity(), state_.particles.count(), 0.0, 0.0);
+  stop("ran away: the largest speed, " + rounded_text(motion.fastest) + " " + unit("m/s") + " of " + particle(place) +
+           ", carries it over " + rounded_text(farthest) + " spacings in one step",
+       calmer());
+}
+
+void Guard::check_step(const Motion& motion) const {
+  if (control_.fixed() || !std::isfinite(control_.at_rest())) return;
+  const StepControl::Choice choice = control_.choose(motion.fastest, motion.largest_acceleration);
+  const double next = choice.seconds;
+  if (!(next < shortest * control_.at_rest())) return;
+  const Index count = state_.particles.count();
+  const auto largest = [&](const Field* field, double value, const std::string& unit) {
+    return rounded_text(value) + " " + unit + " of " + particle(farthest_outside(*field, count, 0.0, 0.0));
+  };
+  const std::string acceleration =
+      integrator_.acceleration() == nullptr
+          ? ""
+          : ", and acceleration, " + largest(integrator_.acceleration(), motion.largest_acceleration, unit("m/s2"));
+  const std::string ask = acceleration.empty() ? "asks" : "ask";
+  stop("ran away: the largest speed, " + largest(integrator_.velocity(), motion.fastest, unit("m/s")) + acceleration +
+           ", " + ask + " for steps of " + rounded_text(next) + " " + unit("s") + " (" + choice.limit +
+           "), where the fluid at rest allows " + rounded_text(control_.at_rest()) + " " + unit("s"),
+       "If the flow is meant to be so fast, give the step by time.step");
+}
+
+void Guard::stop_at_field(const Guarded& guarded) const {
+  const auto& [field, bounds] = guarded;
+  const Index place = farthest_outside(*field, state_.particles.count(), bounds.lowest, bounds.highest);
+  stop("broke down: '" + field->name() + "' is " + rounded_text(length_of(*field, place)) + " at " + particle(place) +
+           ", outside " + rounded_text(bounds.lowest) + " to " + rounded_text(bounds.highest) + ",",
+       bounds.remedy);
+}
+
+void Guard::stop_at_volume() const {
+  const Index place = farthest_outside(*volume_, state_.particles.count(), smallest_volume * lattice_volume_,
+                                       largest_volume * lattice_volume_);
+  const double ratio = volume_->value(0, place) / lattice_volume_;
+  stop("broke down: the volume of " + particle(place) + " is " + rounded_text(ratio) +
+           " times that on a lattice, outside " + rounded_text(smallest_volume) + " to " +
+           rounded_text(largest_volume) + ": " +
+           (ratio > 1.0 ? "particles have left a void there" : "particles have gathered there") + ",",
+       calmer());
+}
+
+void Guard::check_distances() const {
+  state_.backend.finish();
+  const auto pair = closest_pair(state_, nearest * state_.scene.spacing);
+  if (!pair) return;
+  stop("broke down: " + particle(std::min(pair->a, pair->b)) + " and " + particle(std::max(pair->a, pair->b)) +
+           " are " + rounded_text(pair->distance / state_.scene.spacing) + " spacings apart, less than " +
+           rounded_text(nearest) + ",",
+       calmer());
+}
+
+std::string Guard::calmer() const {
+  const std::string step =
+      control_.fixed() ? "ake a smaller time.step, or leave it to \"auto\"" : "ake a smaller step (time.factor = 0.5)";
+  return looks_for_pairs_ ? "Leave the shift of the flow at its default, or t" + step : "T" + step;
+}
+
+std::string Guard::particle(Index place) const {
+  std::array<double, 3> at{};
+  std::array<std::int32_t, 3> images{};
+  for (int d = 0; d < state_.scene.dimension; ++d) at[d] = state_.particles.position[d][place];
+  state_.boundary.keep_inside(state_.scene, at.data(), images.data());
+  std::string text = "particle " + std::to_string(state_.particles.id[place]) + " (";
+  for (int d = 0; d < state_.scene.dimension; ++d) text += (d > 0 ? ", " : "") + rounded_text(at[d]);
+  return text + ")";
+}
+
+void Guard::stop(const std::string& what, const std::string& remedy) const {
+  throw Error(ExitCode::run_failed, "the run " + what + " at t = " + rounded_text(state_.time) + " " + unit("s") +
+                                        " (step " + std::to_string(state_.step) + ", step size " +
+                                        rounded_text(state_.step_size) + " " + unit("s") + "). " + remedy +
+                                        "; the frames before are kept");
+}
+
+}  // namespace mesogen

@@ -1,0 +1,207 @@
+#include "run/observation.hpp"
+
+#include <algorithm>
+
+#include "plugin/plugin_call.hpp"
+#include "run/state_view.hpp"
+
+namespace mesogen {
+
+namespace {
+
+/// Lets an observer read what it declared, and while it follows every step states alone: nothing else is brought up to
+/// date for it then.
+class DeclaredView final : public StateView {
+ public:
+  DeclaredView(const State& state, const Setup& setup, const Setup::ObserverMember& observer, bool following)
+      : StateView(state), setup_(setup), observer_(observer), following_(following) {}
+
+  [[nodiscard]] std::vector<double> values(std::string_view name, int component) const override {
+    const auto& declared = observer_.fields;
+    const std::string reads = "it reads the field '" + std::string(name) + "'";
+    if (std::find(declared.begin(), declared.end(), name) == declared.end())
+      throw Error(ExitCode::plugin_refused, reads + ", which it did not declare: name it in plan()");
+    if (following_ && !setup_.catalogue.outlasts_step(name))
+      throw Error(ExitCode::plugin_refused, reads +
+                                                " in follow(): only fields that are advanced in time are up to date "
+                                                "after every step; read it in sample()");
+    return StateView::values(name, component);
+  }
+  [[nodiscard]] bool has(std::string_view name) const override {
+    const auto& declared = observer_.fields;
+    return std::find(declared.begin(), declared.end(), name) != declared.end() && StateView::has(name);
+  }
+
+ private:
+  const Setup& setup_;
+  const Setup::ObserverMember& observer_;
+  bool following_;
+};
+
+template <class Action>
+void call(const State& state, const Setup::ObserverMember& member, const char* name, Action&& action) {
+  const PluginCall call{.plugin = member.type,
+                        .call = name,
+                        .section = "observers.",
+                        .instance = member.instance,
+                        .step = &state.step,
+                        .time = &state.time,
+                        .time_unit = state.units.time};
+  call_plugin(call, ExitCode::run_failed, std::forward<Action>(action));
+}
+
+}  // namespace
+
+Observation::Observation(Stepper& stepper) : stepper_(stepper) {
+  for (const auto& member : stepper.setup().observers) {
+    sampling_.push_back({"observers." + member.instance + ": sample", "plugin"});
+    following_.push_back({"observers." + member.instance + ": follow", "plugin"});
+  }
+}
+
+void Observation::declare(ResultsWriter& results) const {
+  for (const auto& member : stepper_.setup().observers)
+    for (Quantity quantity : member.plan.quantities()) {
+      quantity.unit(stepper_.state().units.text(quantity.unit_text));
+      results.declare_observable(member.instance, quantity);
+    }
+}
+
+void Observation::start() {
+  first_step_ = stepper_.state().step;
+  for (const auto& member : stepper_.setup().observers) {
+    stepper_.executor().prepare(member.fields);
+    call(stepper_.state(), member, "start()",
+         [&] { member.plugin->start(DeclaredView(stepper_.state(), stepper_.setup(), member, false)); });
+  }
+}
+
+void Observation::follow() {
+  const auto& members = stepper_.setup().observers;
+  if (std::ranges::any_of(members, [](const auto& member) { return member.plan.follows(); }))
+    stepper_.state().backend.finish();
+  for (std::size_t n = 0; n < members.size(); ++n) {
+    const auto& member = members[n];
+    if (!member.plan.follows()) continue;
+    const Span span(following_[n], stepper_.state().trace);
+    call(stepper_.state(), member, "follow()",
+         [&] { member.plugin->follow(DeclaredView(stepper_.state(), stepper_.setup(), member, true)); });
+  }
+}
+
+Sample Observation::sample(std::size_t n) {
+  const auto& member = stepper_.setup().observers[n];
+  stepper_.executor().prepare(member.fields);
+  const Span span(sampling_[n], stepper_.state().trace);
+  Sample sample;
+  call(stepper_.state(), member, "sample()",
+       [&] { member.plugin->sample(DeclaredView(stepper_.state(), stepper_.setup(), member, false), sample); });
+  return sample;
+}
+
+void Observation::sample(const std::vector<bool>& due, const TakeSample& take) {
+  const auto& members = stepper_.setup().observers;
+  if (stepper_.state().step > first_step_) follow();
+  for (std::size_t n = 0; n < members.size(); ++n)
+    if (due[n]) take(members[n].instance, sample(n));
+}
+
+void Observation::observe(const std::vector<bool>& due, ResultsWriter& results) {
+  if (stepper_.state().step > first_step_) follow();
+  record(due, results);
+}
+
+EndRecords Observation::record_end(ResultsWriter& results) {
+  const std::int64_t step = stepper_.state().step;
+  EndRecords records;
+  std::vector<bool> missing;
+  for (const auto& member : stepper_.setup().observers) {
+    missing.push_back(results.last_sample_step(member.instance) != step);
+    if (missing.back()) records.observers.insert(member.instance);
+  }
+  records.frame = results.last_frame_step() != step;
+  missing.push_back(records.frame);
+  record(missing, results);
+  return records;
+}
+
+void Observation::record(const std::vector<bool>& due, ResultsWriter& results) {
+  const State& state = stepper_.state();
+  const auto& members = stepper_.setup().observers;
+  for (std::size_t n = 0; n < members.size(); ++n)
+    if (due[n]) results.add_sample(members[n].instance, sample(n), state.step, state.time);
+  if (!due.back()) return;
+  // Passes are counted as such, wherever they run.
+  stepper_.executor().prepare(stepper_.setup().output_fields);
+  const Span span(frames_, state.trace);
+  results.add_frame(frame(), state.step, state.time);
+}
+
+std::vector<FrameField> Observation::frame() {
+  stepper_.executor().prepare(stepper_.setup().output_fields);
+  const State& state = stepper_.state();
+  const Setup& setup = stepper_.setup();
+  const std::size_t count = state.particles.id.size();
+  const int dimension = state.scene.dimension;
+  std::vector<FrameField> fields;
+  const std::size_t size = count * static_cast<std::size_t>(dimension);
+  FrameField position{"position",          state.units.length, dimension, std::vector<double>(size),
+                      NumberType::float64, Rank::vector};
+  // H5MD's name for the boxes that a particle has crossed.
+  FrameField image{"image", "1", dimension, std::vector<double>(size), NumberType::int32, Rank::vector};
+  for (std::size_t i = 0; i < count; ++i) {
+    std::array<double, 3> at{};
+    std::array<std::int32_t, 3> images{};
+    for (int d = 0; d < dimension; ++d) {
+      at[d] = state.particles.position[d][i];
+      images[d] = state.particles.images[d][i];
+    }
+    state.boundary.keep_inside(state.scene, at.data(), images.data());
+    const auto row = static_cast<std::size_t>(state.particles.id[i] * dimension);
+    for (int d = 0; d < dimension; ++d) {
+      position.values[row + static_cast<std::size_t>(d)] = at[d];
+      image.values[row + static_cast<std::size_t>(d)] = images[d];
+    }
+  }
+  fields.push_back(std::move(position));
+  fields.push_back(std::move(image));
+  for (const std::string& name : setup.output_fields) {
+    const Field& field = state.fields.at(name);
+    const int components = field.components();
+    FrameField stored{name,
+                      state.units.text(setup.catalogue.unit(name)),
+                      components,
+                      std::vector<double>(count * static_cast<std::size_t>(components)),
+                      state.single() ? NumberType::float32 : NumberType::float64,
+                      setup.catalogue.rank(name)};
+    for (int c = 0; c < components; ++c)
+      for (std::size_t i = 0; i < count; ++i)
+        stored.values[static_cast<std::size_t>(state.particles.id[i] * components + c)] =
+            field.value(c, static_cast<Index>(i));
+    fields.push_back(std::move(stored));
+  }
+  return fields;
+}
+
+std::vector<Counter> Observation::counters() const {
+  std::vector<Counter> all = {frames_};
+  for (const auto& counters : {sampling_, following_}) all.insert(all.end(), counters.begin(), counters.end());
+  return all;
+}
+
+void Observation::save(Checkpoint& checkpoint) const {
+  for (const auto& member : stepper_.setup().observers)
+    call(stepper_.state(), member, "save()", [&] { checkpoint.observers[member.instance] = member.plugin->save(); });
+}
+
+void Observation::restore(const Checkpoint& checkpoint) {
+  for (const auto& member : stepper_.setup().observers) {
+    const auto at = checkpoint.observers.find(member.instance);
+    if (at == checkpoint.observers.end())
+      throw Error(ExitCode::bad_case,
+                  "the checkpoint knows no observer '" + member.instance + "': it belongs to another case");
+    call(stepper_.state(), member, "restore()", [&] { member.plugin->restore(at->second); });
+  }
+}
+
+}  // namespace mesogen

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "mesogen/export.hpp"
+#include "output/checkpoint.hpp"
+#include "output/frame.hpp"
+#include "output/results.hpp"
+#include "run/stepper.hpp"
+
+namespace mesogen {
+
+/// The observers and frames of a run, and where their results go.
+class MESOGEN_EXPORT Observation {
+ public:
+  explicit Observation(Stepper& stepper);
+
+  /// Names all quantities to the results.
+  void declare(ResultsWriter& results) const;
+  /// Before the first sample of a new run.
+  void start();
+  /// Lets the observers follow that asked for it; after a step.
+  void follow();
+  /// What observer n records now.
+  [[nodiscard]] Sample sample(std::size_t n);
+  using TakeSample = std::function<void(const std::string& observer, const Sample& sample)>;
+  /// After a step: observers that follow, and those that are due.
+  void sample(const std::vector<bool>& due, const TakeSample& take);
+  /// The same for the results, and a frame if it is due. Readers: the observers, then the output.
+  void observe(const std::vector<bool>& due, ResultsWriter& results);
+  /// After the last step and observe(): samples and the frame of all who have none of this state yet, and who they are.
+  EndRecords record_end(ResultsWriter& results);
+
+  /// A frame of what is now.
+  [[nodiscard]] std::vector<FrameField> frame();
+
+  /// What the calls into observers took, and frames; without the fields that are brought up to date for them.
+  [[nodiscard]] std::vector<Counter> counters() const;
+
+  void save(Checkpoint& checkpoint) const;
+  void restore(const Checkpoint& checkpoint);
+
+ private:
+  void record(const std::vector<bool>& due, ResultsWriter& results);
+
+  Stepper& stepper_;
+  std::int64_t first_step_ = 0;    ///< observers follow the steps after it
+  std::vector<Counter> sampling_;  // of each observer
+  std::vector<Counter> following_;
+  Counter frames_{"output: frame", "output"};
+};
+
+}  // namespace mesogen

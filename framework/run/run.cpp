@@ -1,0 +1,294 @@
+#include "run/run.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <limits>
+
+#include "output/kept_checkpoints.hpp"
+#include "output/run_folder.hpp"
+#include "plugin/crash.hpp"
+#include "run/cost_meter.hpp"
+#include "run/marks_of.hpp"
+#include "run/observation.hpp"
+#include "run/results_options.hpp"
+#include "run/run_log.hpp"
+#include "run/run_session.hpp"
+#include "run/run_trace.hpp"
+#include "run/stepper.hpp"
+#include "text/rounded_text.hpp"
+
+namespace mesogen {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point from) { return std::chrono::duration<double>(Clock::now() - from).count(); }
+
+/// A run in progress: steps, observations, frames and checkpoints until the end or the signal to stop.
+class Run {
+ public:
+  Run(Setup& setup, const RunOptions& options, Log& log, Progress& progress)
+      : setup_(setup),
+        options_(options),
+        log_(log),
+        progress_(progress),
+        trace_(options.trace),
+        stepper_(setup),
+        observation_(stepper_),
+        crash_(stepper_.state().step, stepper_.state().time, setup.source.units.time),
+        marks_(marks_of(setup)) {
+    crash_.advise(fmt::format("no checkpoint was written yet: `mesogen resume {}` starts again from the beginning",
+                              options_.folder.string()));
+    log_.open_file(options.folder / "run.log");
+    stepper_.state().trace = trace_.trace();
+    stepper_.state().times_each = options.profile || trace_.trace() != nullptr;
+  }
+  ~Run() { trace_.write(log_); }
+  Run(const Run&) = delete;
+  Run& operator=(const Run&) = delete;
+
+  ExitCode begin() {
+    start();
+    return begin(ResultsWriter::create(results_options()));
+  }
+
+  ExitCode begin_again() {
+    start();
+    make_way(-1);
+    return begin(ResultsWriter::resume(results_options(), -1));
+  }
+
+  ExitCode resume(const Checkpoint& checkpoint) {
+    advise_to_resume(checkpoint);
+    before_ = checkpoint.cost;
+    shortened_for_ = checkpoint.shortened_for;
+    origin_ = checkpoint.origin;
+    if (checkpoint.starts_branch) return begin_branch(checkpoint);
+    // Observers start where the run did; what they kept since then replaces that.
+    start();
+    stepper_.restore(checkpoint);
+    saved_step_ = checkpoint.step;
+    observation_.restore(checkpoint);
+    make_way(checkpoint.step);
+    const EndRecords forgotten = checkpoint.time < end() ? checkpoint.end_records : EndRecords{};
+    ResultsWriter results = ResultsWriter::resume(results_options(), checkpoint.step, forgotten);
+    observation_.declare(results);
+    return go_on(results);
+  }
+
+ private:
+  void start() {
+    stepper_.start();
+    observation_.start();
+  }
+
+  /// The state to go on from is there: the folder takes the case of this session, and what was kept later than that
+  /// state goes. (Results that are later go with ResultsWriter::resume.)
+  void make_way(std::int64_t step) {
+    if (stored_case(options_.folder) != setup_.resolved_text)
+      replace_stored_case(options_.folder, setup_.resolved_text);
+    remove_kept_checkpoints(options_.folder, step);
+  }
+
+  ExitCode begin_branch(const Checkpoint& checkpoint) {
+    stepper_.restore(checkpoint);
+    make_way(checkpoint.step);
+    ResultsWriter results = ResultsWriter::resume(results_options(), -1);
+    observation_.declare(results);
+    // What passes make for readers is made as at the start of a run, which advances some of what a step goes on from.
+    start();
+    observation_.observe(everybody(), results);
+    stepper_.restore(checkpoint);
+    return go_on(results);
+  }
+
+  ExitCode begin(ResultsWriter results) {
+    observation_.declare(results);
+    observation_.observe(everybody(), results);
+    log_.info(fmt::format("results go to {}", options_.folder.string()));
+    log_beginning(log_, setup_, stepper_.next_step(marks_, end()));
+    return go_on(results);
+  }
+
+  [[nodiscard]] double end() const { return setup_.source.time.end; }
+  [[nodiscard]] std::vector<bool> everybody() const { return std::vector<bool>(setup_.observers.size() + 1, true); }
+  [[nodiscard]] ResultsOptions results_options() const {
+    ResultsOptions results = mesogen::results_options(setup_, options_.folder);
+    results.origin = origin_;
+    return results;
+  }
+  [[nodiscard]] bool stopped() const { return options_.stop != nullptr && options_.stop->load(); }
+
+  [[nodiscard]] Checkpoint checkpoint() {
+    Checkpoint checkpoint;
+    checkpoint.case_text = setup_.resolved_text;
+    checkpoint.version = MESOGEN_VERSION;
+    checkpoint.instruction_sets = setup_.instruction_sets;
+    stepper_.save(checkpoint);
+    observation_.save(checkpoint);
+    checkpoint.cost = cost_.at(checkpoint.step);
+    checkpoint.shortened_for = shortened_for_;
+    checkpoint.origin = origin_;
+    return checkpoint;
+  }
+
+  void write(const Checkpoint& checkpoint, ResultsWriter& results) {
+    results.flush();
+    mesogen::write_checkpoint(options_.folder, checkpoint);
+    saved_step_ = checkpoint.step;
+    advise_to_resume(checkpoint);
+  }
+
+  void advise_to_resume(const Checkpoint& checkpoint) {
+    crash_.advise(
+        fmt::format("the checkpoint of step {}, t = {} is kept: once the plugin is mended, `mesogen resume "
+                    "{}` goes on from there",
+                    checkpoint.step, time_text(checkpoint.time, setup_.source.units), options_.folder.string()));
+  }
+
+  void write_checkpoint(ResultsWriter& results) {
+    const Span span(checkpoints_, trace_.trace());
+    write(checkpoint(), results);
+  }
+
+  void keep_checkpoint() {
+    const Span span(checkpoints_, trace_.trace());
+    mesogen::keep_checkpoint(options_.folder, checkpoint());
+  }
+
+  /// Before the first step that is another one only because the run ends where it does.
+  void keep_before_end(const Stepper::Step& step, ResultsWriter& results) {
+    if (shortened_for_ == end()) return;
+    const Stepper::Step longer = stepper_.next_step(marks_, std::numeric_limits<double>::infinity());
+    if (step.seconds == longer.seconds && step.arrival == longer.arrival) return;
+    const Span span(checkpoints_, trace_.trace());
+    results.flush();
+    write_checkpoint_before_end(options_.folder, checkpoint());
+    shortened_for_ = end();
+  }
+
+  /// All look at the last state. What a longer run does not record there is written down as such, and observers are
+  /// saved as they were before.
+  void record_end(ResultsWriter& results) {
+    if (saved_step_ == stepper_.state().step) return;  // resumed from there
+    const Span span(checkpoints_, trace_.trace());
+    Checkpoint last = checkpoint();
+    last.end_records = observation_.record_end(results);
+    write(last, results);
+  }
+
+  ExitCode go_on(ResultsWriter& results) {
+    const State& state = stepper_.state();
+    log_device(log_, setup_);
+    cost_.start(state.step, before_);
+    if (saved_step_ != state.step) write_checkpoint(results);
+    auto saved = Clock::now();
+    const std::int64_t first = state.step;
+    shares_before_ = shares();
+    progress_.start(state.time, state.step, end(), setup_.source.units.time);
+    try {
+      while (state.time < end() && !stopped()) {
+        const Stepper::Step step = stepper_.next_step(marks_, end());
+        keep_before_end(step, results);
+        const Arrival from = stepper_.arrival();
+        const bool last = step.arrival >= end();
+        const auto due = marks_.due(from, {step.arrival, step.seconds}, state.step + 1);
+        stepper_.advance(step, last ? everybody() : due);
+        log_changes(log_, setup_, stepper_);
+        observation_.observe(due, results);
+        progress_.update(state.time, state.step);
+        if (marks_.keeps(from, stepper_.arrival())) keep_checkpoint();
+        if (!last && seconds_since(saved) >= setup_.source.output.checkpoint_interval) {
+          write_checkpoint(results);
+          saved = Clock::now();
+        }
+      }
+    } catch (const std::exception& failure) {
+      progress_.finish(state.time, state.step);
+      keep_samples(results, failure.what());
+      throw;
+    }
+    const double stepping = cost_.seconds();
+    const RunCost cost = cost_.at(state.step);
+    progress_.finish(state.time, state.step);
+    if (state.time < end()) {
+      // Not twice the same: the two that are kept are to be two.
+      if (saved_step_ != state.step) write_checkpoint(results);
+      log_.warn(fmt::format("interrupted at t = {} {}; `mesogen resume {}` continues", rounded_text(state.time),
+                            setup_.source.units.time, options_.folder.string()));
+      return ExitCode::interrupted;
+    }
+    record_end(results);
+    results.finish(cost);
+    report(state.step - first, stepping);
+    return ExitCode::done;
+  }
+
+  // After a failure: its message matters more than that of a disk that is full as well.
+  void keep_samples(ResultsWriter& results, const std::string& failure) {
+    try {
+      results.flush();
+    } catch (const Error& error) {
+      if (error.what() != failure) log_.warn(error.what());
+    }
+  }
+
+  void report(std::int64_t steps, double seconds) {
+    if (steps == 0) return;
+    log_speed(log_, setup_, steps, seconds, stepper_.state().neighbourhood.sortings());
+    if (options_.profile) log_shares(log_, shares(), shares_before_, steps, seconds);
+  }
+
+  [[nodiscard]] std::vector<Counter> shares() const {
+    auto all = stepper_.shares();
+    for (const Counter& counter : observation_.counters()) all.push_back(counter);
+    all.push_back(checkpoints_);
+    return all;
+  }
+
+  Setup& setup_;
+  const RunOptions& options_;
+  Log& log_;
+  Progress& progress_;
+  RunTrace trace_;
+  Stepper stepper_;
+  Observation observation_;
+  CrashAdvice crash_;
+  Counter checkpoints_{"output: checkpoint", "output"};
+  Marks marks_;
+  CostMeter cost_;
+  RunCost before_;                       ///< of earlier sessions
+  std::optional<double> shortened_for_;  ///< see Checkpoint
+  std::optional<BranchOrigin> origin_;
+  std::vector<Counter> shares_before_;
+  std::int64_t saved_step_ = -1;  ///< of the last checkpoint written
+};
+
+}  // namespace
+
+ExitCode run_case(Case source, const PluginRegistry& registry, const RunOptions& options, Log& log,
+                  Progress& progress) {
+  Problems problems;
+  const auto setup = set_up(std::move(source), registry, problems);
+  if (options.inspect) options.inspect(*setup);
+  RunTrace::check(options.trace, options.folder);
+  const RunLock lock = start_run_folder(options.folder, setup->resolved_text, options.overwrite);
+  return start_session(*setup, options, log, progress);
+}
+
+ExitCode start_session(Setup& setup, const RunOptions& options, Log& log, Progress& progress) {
+  return Run(setup, options, log, progress).begin();
+}
+
+ExitCode start_session_again(Setup& setup, const RunOptions& options, Log& log, Progress& progress) {
+  return Run(setup, options, log, progress).begin_again();
+}
+
+ExitCode continue_session(Setup& setup, const Checkpoint& checkpoint, const RunOptions& options, Log& log,
+                          Progress& progress) {
+  return Run(setup, options, log, progress).resume(checkpoint);
+}
+
+}  // namespace mesogen

@@ -1,0 +1,51 @@
+#include "run/state_view.hpp"
+
+#include <limits>
+#include <string>
+
+#include "mesogen/diagnostics/error.hpp"
+
+namespace mesogen {
+
+StateView::~StateView() = default;
+
+std::vector<double> StateView::values(std::string_view name, int component) const {
+  const Field& field = state_.fields.at(name);
+  if (component < 0 || component >= field.components())
+    throw Error(ExitCode::plugin_refused, "'" + std::string(name) + "' has the components 0 to " +
+                                              std::to_string(field.components() - 1) + ", not " +
+                                              std::to_string(component));
+  std::vector<double> all(state_.particles.id.size());
+#pragma omp parallel for schedule(static)
+  for (Index i = 0; i < state_.particles.count(); ++i) all[static_cast<std::size_t>(i)] = field.value(component, i);
+  return all;
+}
+
+std::vector<double> StateView::position(int axis) const {
+  std::vector<double> all(state_.particles.id.size());
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    std::array<double, 3> at{};
+    std::array<std::int32_t, 3> images{};
+    for (int d = 0; d < state_.scene.dimension; ++d) at[d] = state_.particles.position[d][i];
+    state_.boundary.keep_inside(state_.scene, at.data(), images.data());
+    all[i] = at[axis];
+  }
+  return all;
+}
+
+std::vector<double> StateView::unwrapped(int axis) const {
+  std::vector<double> all(state_.particles.id.size());
+  for (std::size_t i = 0; i < all.size(); ++i) all[i] = unwrapped_at(axis, i);
+  return all;
+}
+
+double StateView::unwrapped_at(int axis, std::size_t place) const {
+  return state_.particles.position[axis][place] + state_.particles.images[axis][place] * state_.scene.box[axis];
+}
+
+double StateView::constant(std::string_view name) const {
+  const auto at = state_.scene.constants.find(name);
+  return at == state_.scene.constants.end() ? std::numeric_limits<double>::quiet_NaN() : at->second;
+}
+
+}  // namespace mesogen
