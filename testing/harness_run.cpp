@@ -33,7 +33,7 @@ std::int64_t stream_of(std::string_view field, int component) {
 HarnessRun::HarnessRun(const std::string& case_text, const PluginRegistry& registry, const GivenFields& given,
                        const std::map<std::string, double>& constants, std::int64_t seed_of_fields)
     : setup_(put_together(case_text, registry, given, constants)), stepper_(*setup_), observation_(stepper_) {
-  state().settle();
+  state().order.settle();
   seed(seed_of_fields);
   for (const auto& [name, field] : given) set(name, field);
 }
@@ -189,7 +189,7 @@ std::vector<double> HarnessRun::values(const std::string& name, int component) {
 }
 
 void HarnessRun::move(const std::function<double(double, double)>& x, const std::function<double(double, double)>& y) {
-  state().return_to_order();
+  state().order.return_to_integration();
   Particles& particles = state().particles;
   const auto at_x = StateView(state()).position(0);
   const auto at_y = StateView(state()).position(1);
@@ -198,8 +198,8 @@ void HarnessRun::move(const std::function<double(double, double)>& x, const std:
     particles.position[1][i] += y(at_x[i], at_y[i]);
   }
   touched = true;
-  state().mark_moved();
-  state().settle();
+  state().order.mark_moved();
+  state().order.settle();
 }
 
 ScheduledPass& HarnessRun::scheduled(std::string_view pass) {

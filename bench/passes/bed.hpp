@@ -50,7 +50,7 @@ class Bed {
         set_up(read_case_text(text, "bed.toml", {}, problems), PluginRegistry::only({MESOGEN_BENCH_PLUGINS}), problems);
     stepper_ = std::make_unique<Stepper>(*setup_);
     State& state = stepper_->state();
-    state.settle();
+    state.order.settle();
     state.neighbourhood.fill(neighbours);
     const FieldView<Real> even = field(1);
     std::fill_n(even.base, count(), Real(setup_->scene.spacing * setup_->scene.spacing));

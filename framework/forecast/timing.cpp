@@ -78,7 +78,7 @@ class Rehearsal {
   }
 
   double sorting() {
-    return seconds([&] { stepper_->state().sort_anew(); });
+    return seconds([&] { stepper_->state().order.sort_anew(); });
   }
 
   /// Making the bytes of a checkpoint; s.

@@ -15,10 +15,12 @@ bool BoundaryValues::up_to_date(const Field& field) const {
 }
 
 void BoundaryValues::refresh(Field& field) {
+  if (up_to_date(field)) return;
+  const Span span(refreshing_, clock_.trace);
   const bool single = scene_.precision == Precision::single_precision;
   single ? refresh_ghosts<float>(field) : refresh_ghosts<double>(field);
   if (neighbourhood_.walls().count() > 0) {
-    backend_.finish();
+    clock_.backend.finish();
     if (scene_.dimension == 2) {
       single ? refresh_walls<float, 2>(field) : refresh_walls<double, 2>(field);
     } else {
@@ -27,12 +29,13 @@ void BoundaryValues::refresh(Field& field) {
   }
   field.refreshed = field.version;
   field.refreshed_at = positions();
+  clock_.end_of_work();
 }
 
 const BoundaryValues::Rules& BoundaryValues::rules_of(const Field& field) {
   const auto at = rules_.find(field.name());
   if (at != rules_.end()) return at->second;
-  const Rules same{{{}, backend_.memory()}, {{}, backend_.memory()}};
+  const Rules same{{{}, clock_.backend.memory()}, {{}, clock_.backend.memory()}};
   return rules_.emplace(field.name(), field.kind ? ask(*field.kind) : same).first->second;
 }
 
@@ -46,14 +49,14 @@ BoundaryValues::Rules BoundaryValues::ask(const FieldKind& field) const {
     const AffineRule own = boundary_.wall_rule(scene_, field, wall.particle);
     walls.push_back(wall.image == WallSet::no_image ? own : ghosts[static_cast<std::size_t>(wall.image)].after(own));
   }
-  return {{ghosts, backend_.memory()}, {walls, backend_.memory()}};
+  return {{ghosts, clock_.backend.memory()}, {walls, clock_.backend.memory()}};
 }
 
 template <class Real>
 void BoundaryValues::refresh_ghosts(Field& field) {
   const GhostView ghosts = neighbourhood_.ghost_view();
   if (ghosts.count == 0) return;
-  backend_.loops<Real>().refresh(ghosts, rules_of(field).ghosts.view(), field.view<Real>(), field.components());
+  clock_.backend.loops<Real>().refresh(ghosts, rules_of(field).ghosts.view(), field.view<Real>(), field.components());
 }
 
 template <class Real, int Dim>

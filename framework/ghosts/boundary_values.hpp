@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "exec/work_clock.hpp"
 #include "ghosts/rule_table.hpp"
 #include "mesogen/plugin/boundary.hpp"
 #include "mesogen/sph/kernel_function.hpp"
@@ -19,14 +20,19 @@ namespace mesogen {
 /// and ghosts with weights that depend on positions alone: found once for all fields, whenever particles have moved.
 class MESOGEN_EXPORT BoundaryValues {
  public:
-  BoundaryValues(const Scene& scene, const Boundary& boundary, const Backend& backend,
-                 const Neighbourhood& neighbourhood, const sph::SmoothingKernel& kernel)
-      : scene_(scene), boundary_(boundary), backend_(backend), neighbourhood_(neighbourhood), kernel_(kernel) {}
+  /// All of these must outlive it.
+  BoundaryValues(const Scene& scene, const Boundary& boundary, const Neighbourhood& neighbourhood,
+                 const sph::SmoothingKernel& kernel, const WorkClock& clock)
+      : scene_(scene), boundary_(boundary), neighbourhood_(neighbourhood), kernel_(kernel), clock_(clock) {}
 
-  [[nodiscard]] bool up_to_date(const Field& field) const;
+  /// Brings a field up to date there, if it is not.
   void refresh(Field& field);
 
+  /// What this took.
+  [[nodiscard]] const Counter& counter() const { return refreshing_; }
+
  private:
+  [[nodiscard]] bool up_to_date(const Field& field) const;
   [[nodiscard]] std::uint64_t positions() const;
   struct Rules {
     RuleTable ghosts;
@@ -41,12 +47,13 @@ class MESOGEN_EXPORT BoundaryValues {
 
   const Scene& scene_;
   const Boundary& boundary_;
-  const Backend& backend_;
   const Neighbourhood& neighbourhood_;
   const sph::SmoothingKernel& kernel_;
+  const WorkClock& clock_;
   std::map<std::string, Rules, std::less<>> rules_;  // by field
   std::vector<double> weights_;                      // see sph/mirror_values.hpp
   std::uint64_t weights_version_ = 0;                // of the neighbourhood that they belong to
+  Counter refreshing_{"framework: values beyond the faces"};
 };
 
 }  // namespace mesogen

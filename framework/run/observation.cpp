@@ -83,7 +83,7 @@ void Observation::follow() {
   for (std::size_t n = 0; n < members.size(); ++n) {
     const auto& member = members[n];
     if (!member.plan.follows()) continue;
-    const Span span(following_[n], stepper_.state().trace);
+    const Span span(following_[n], stepper_.state().clock.trace);
     call(stepper_.state(), member, "follow()",
          [&] { member.plugin->follow(DeclaredView(stepper_.state(), stepper_.setup(), member, true)); });
   }
@@ -92,7 +92,7 @@ void Observation::follow() {
 Sample Observation::sample(std::size_t n) {
   const auto& member = stepper_.setup().observers[n];
   stepper_.executor().prepare(member.fields);
-  const Span span(sampling_[n], stepper_.state().trace);
+  const Span span(sampling_[n], stepper_.state().clock.trace);
   Sample sample;
   call(stepper_.state(), member, "sample()",
        [&] { member.plugin->sample(DeclaredView(stepper_.state(), stepper_.setup(), member, false), sample); });
@@ -133,7 +133,7 @@ void Observation::record(const std::vector<bool>& due, ResultsWriter& results) {
   if (!due.back()) return;
   // Passes are counted as such, wherever they run.
   stepper_.executor().prepare(stepper_.setup().output_fields);
-  const Span span(frames_, state.trace);
+  const Span span(frames_, state.clock.trace);
   results.add_frame(frame(), state.step, state.time);
 }
 

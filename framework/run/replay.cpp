@@ -104,7 +104,7 @@ void Replay::show(std::size_t frame, State& state) const {
       for (int c = 0; c < shape->components; ++c)
         put(c, place, values[static_cast<std::size_t>(state.particles.id[place] * shape->components + c)]);
   };
-  state.return_to_order();
+  state.order.return_to_integration();
   take("position", [&](int d, std::size_t place, double value) { state.particles.position[d][place] = value; });
   take("image", [&](int d, std::size_t place, double value) {
     state.particles.images[d][place] = static_cast<std::int32_t>(value);
@@ -115,7 +115,7 @@ void Replay::show(std::size_t frame, State& state) const {
     take(shape.name, [&](int c, std::size_t place, double value) { field->set(c, static_cast<Index>(place), value); });
     ++field->version;
   }
-  state.mark_moved();
+  state.order.mark_moved();
   state.step = frames_.stamp(frame).step;
   state.time = frames_.stamp(frame).time;
 }

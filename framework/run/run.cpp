@@ -42,8 +42,8 @@ class Run {
     crash_.advise(fmt::format("no checkpoint was written yet: `mesogen resume {}` starts again from the beginning",
                               options_.folder.string()));
     log_.open_file(options.folder / "run.log");
-    stepper_.state().trace = trace_.trace();
-    stepper_.state().times_each = options.profile || trace_.trace() != nullptr;
+    stepper_.state().clock.trace = trace_.trace();
+    stepper_.state().clock.waits = options.profile || trace_.trace() != nullptr;
   }
   ~Run() { trace_.write(log_); }
   Run(const Run&) = delete;

@@ -2,44 +2,21 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
-#include <set>
 
-#include "plugin/plugin_call.hpp"
-#include "run/planned_fields.hpp"
+#include "run/state_at_start.hpp"
+#include "run/state_checkpoint.hpp"
 #include "time/timing.hpp"
 
 namespace mesogen {
 
 namespace {
 
-Particles initial_particles(const Arrangement& arrangement, int dimension, exec::Memory& memory) {
-  Particles particles(memory);
-  particles.dimension = dimension;
-  particles.id.resize(static_cast<std::size_t>(arrangement.count));
-  std::iota(particles.id.begin(), particles.id.end(), 0);
-  for (int d = 0; d < dimension; ++d) {
-    particles.position[d].assign(arrangement.position[d].begin(), arrangement.position[d].end());
-    particles.images[d].assign(particles.id.size(), 0);
-  }
-  return particles;
-}
-
 bool moves(const Transport& flow) { return !flow.velocity.empty() && !flow.fixed; }
 
 // Where nobody needs neighbours: often enough for the order of storage to follow the particles.
 constexpr std::int64_t steps_between_orderings = 32;
 
-/// Where a plugin keeps numbers of its own.
-std::span<double> numbers_of(const Setup::PhysicsMember& member, const PassList::Kept& kept) {
-  std::span<double> numbers;
-  call_plugin(member.type, "keep(\"" + kept.name + "\")", [&] { numbers = kept.where(); });
-  if (numbers.size() != kept.count)
-    throw Error(ExitCode::plugin_refused, member.instance + " keeps '" + kept.name + "' as " +
-                                              std::to_string(numbers.size()) + " numbers, where it told of " +
-                                              std::to_string(kept.count) + ": name the number that there are");
-  return numbers;
-}
+const std::string acceleration_name = "largest acceleration";  // in checkpoints
 
 TimeScheme time_scheme(const std::string& name) {
   return name == "midpoint" ? TimeScheme::midpoint : TimeScheme::half_steps;
@@ -49,49 +26,18 @@ TimeScheme time_scheme(const std::string& name) {
 
 Stepper::Stepper(Setup& setup)
     : setup_(setup),
-      state_(setup.scene, setup.smoothing, *setup.boundary,
-             initial_particles(setup.arrangement, setup.scene.dimension, setup.backend->memory()), *setup.backend),
-      derived_((add_fields(), std::make_unique<DerivedFields>(
-                                  state_, setup.catalogue, setup.graph->derived_for_integration(),
-                                  [&] {
-                                    std::vector<std::set<std::string>> readers;
-                                    for (std::size_t n = 0; n <= setup.observers.size(); ++n)
-                                      readers.push_back(setup.graph->derived_for_reader(n));
-                                    return readers;
-                                  }(),
-                                  DerivedFields::Form{.consistent_laplacian = setup.source.laplacian == "consistent",
-                                                      .particles_move = moves(setup.graph->transport())}))),
-      executor_(state_, *setup.graph, *derived_),
-      integrator_(state_, setup.catalogue, setup.graph->transport(), time_scheme(setup.source.time.scheme)),
+      state_(state_at_start(setup)),
+      derived_(*state_, setup.catalogue, setup.graph->derived_for_integration(), setup.graph->derived_for_readers(),
+               DerivedFields::Form{.consistent_laplacian = setup.source.laplacian == "consistent",
+                                   .particles_move = moves(setup.graph->transport())}),
+      executor_(*state_, *setup.graph, derived_),
+      integrator_(*state_, setup.catalogue, setup.graph->transport(), time_scheme(setup.source.time.scheme)),
       control_(setup.scene, setup.limits, setup.source.time.step, setup.source.time.factor),
-      guard_(state_, setup.catalogue, *setup.graph, integrator_, control_),
-      watches_(setup, state_, integrator_) {
-  state_.units = setup.source.units;
-  set_initial_fields();
-}
-
-void Stepper::add_fields() {
-  for (const PlannedField& field : planned_fields(setup_))
-    state_.add_field(field.name, field.components, field.integrated).kind = field.kind;
-}
-
-void Stepper::set_initial_fields() {
-  for (const auto& member : setup_.initial) {
-    InitialState state = initial_state(member, setup_);
-    for (const FieldDeclaration& declared : member.plan.fields()) {
-      Field* const field = state_.fields.find(declared.name);
-      if (field == nullptr) continue;
-      for (int c = 0; c < field->components(); ++c) {
-        const auto values = state.component(declared.name, c);
-        for (Index i = 0; i < state_.particles.count(); ++i) field->set(c, i, values[static_cast<std::size_t>(i)]);
-      }
-      ++field->version;
-    }
-  }
-}
+      guard_(*state_, setup.catalogue, *setup.graph, integrator_, control_),
+      watches_(setup, *state_, integrator_) {}
 
 void Stepper::start() {
-  state_.step_size = 0.0;
+  state_->step_size = 0.0;
   keep_order();
   const std::vector<bool> all(setup_.observers.size() + 1, true);
   for (const Phase phase : {Phase::begin, Phase::rates, Phase::end}) executor_.run(phase, all);
@@ -101,7 +47,7 @@ void Stepper::start() {
 
 Stepper::Step Stepper::next_step(double mark) const {
   const StepControl::Choice longest = longest_step();
-  const EqualSteps steps = equal_steps(mark - state_.time, longest.seconds);
+  const EqualSteps steps = equal_steps(mark - state_->time, longest.seconds);
   return {steps.seconds, steps.count > 1.0 ? arrival_after(steps.seconds) : mark, longest.limit};
 }
 
@@ -115,31 +61,31 @@ StepControl::Choice Stepper::longest_step() const {
 
 // In a run of equal steps the time is a multiple of the step, however it was reached.
 double Stepper::arrival_after(double step_size) const {
-  const double sum = state_.time + step_size;
+  const double sum = state_->time + step_size;
   const double multiple = std::round(sum / step_size) * step_size;
   return control_.fixed() && std::abs(sum - multiple) < 1e-9 * step_size ? rounded_time(multiple) : sum;
 }
 
 void Stepper::advance(const Step& step, const std::vector<bool>& reader_due) {
-  const double begun = state_.time;
+  const double begun = state_->time;
   const double step_size = step.seconds;
-  const Span span(whole_, state_.trace);
+  const Span span(whole_, state_->clock.trace);
   const auto timed = [this](Counter& counter, const auto& action) {
-    const Span part(counter, state_.trace);
+    const Span part(counter, state_->clock.trace);
     action();
-    state_.end_of_work();
+    state_->clock.end_of_work();
   };
-  state_.return_to_order();
-  state_.step_size = step_size;
+  state_->order.return_to_integration();
+  state_->step_size = step_size;
   timed(integration_, [&] { integrator_.predict(step_size); });
   keep_order();
-  state_.time = begun + step_size / 2.0;
+  state_->time = begun + step_size / 2.0;
   executor_.run(Phase::begin, reader_due);
   executor_.run(Phase::rates, reader_due);
-  state_.return_to_order();
+  state_->order.return_to_integration();
   timed(integration_, [&] { motion_ = integrator_.correct(step_size); });
-  state_.time = step.arrival;
-  ++state_.step;
+  state_->time = step.arrival;
+  ++state_->step;
   timed(guarding_, [&] { guard_.check(motion_); });
   changes_ = watches_.look();
   if (!changes_.empty()) ask_limits();
@@ -159,109 +105,32 @@ void Stepper::ask_limits() {
 
 void Stepper::keep_order() {
   if (setup_.graph->sums_pairs()) {
-    state_.settle();
-  } else if (state_.step % steps_between_orderings == 0) {
-    state_.reorder();
+    state_->order.settle();
+  } else if (state_->step % steps_between_orderings == 0) {
+    state_->order.sort_for_memory();
   }
 }
 
 void Stepper::save(Checkpoint& checkpoint) {
-  state_.return_to_order();
-  state_.backend.finish();
-  const auto list = [](const auto& values) { return std::vector(values.begin(), values.end()); };
-  checkpoint.step = state_.step;
-  checkpoint.time = state_.time;
-  checkpoint.step_size = state_.step_size;
-  checkpoint.precision = state_.scene.precision;
-  checkpoint.dimension = state_.scene.dimension;
-  checkpoint.integers["id"] = list(state_.particles.id);
-  for (int d = 0; d < state_.scene.dimension; ++d) {
-    const std::string axis = std::to_string(d);
-    checkpoint.numbers["position " + axis] = list(state_.particles.position[d]);
-    checkpoint.numbers["sorted position " + axis] = list(state_.neighbourhood.sorted_position()[d]);
-    const auto& images = state_.particles.images[d];
-    checkpoint.integers["images " + axis].assign(images.begin(), images.end());
-  }
-  for (const std::string& name : checkpointed_fields(setup_)) {
-    const Field& field = state_.fields.at(name);
-    for (int c = 0; c < field.components(); ++c) {
-      auto& values = checkpoint.numbers["field " + name + " " + std::to_string(c)];
-      values.resize(state_.particles.id.size());
-      for (Index i = 0; i < state_.particles.count(); ++i) values[static_cast<std::size_t>(i)] = field.value(c, i);
-    }
-  }
+  save_state(setup_, *state_, checkpoint);
   // The next step goes by it. What it was found in is not always saved: a rate is, if its field is predicted by it.
-  checkpoint.numbers["largest acceleration"] = {motion_.largest_acceleration};
-  for (const auto& member : setup_.physics) {
-    for (const auto& kept : member.passes.kept()) {
-      const auto numbers = numbers_of(member, kept);
-      checkpoint.numbers[member.instance + " keeps " + kept.name].assign(numbers.begin(), numbers.end());
-    }
-  }
+  checkpoint.numbers[acceleration_name] = {motion_.largest_acceleration};
 }
 
 void Stepper::restore(const Checkpoint& checkpoint) {
-  const auto take_of = [&](const auto& map, const std::string& name, std::size_t size,
-                           const std::string& what) -> const auto& {
-    const auto at = map.find(name);
-    if (at == map.end() || at->second.size() != size)
-      throw Error(ExitCode::bad_case, "the checkpoint has no '" + name + "' for " + std::to_string(size) + " " + what +
-                                          ": it belongs to another case");
-    return at->second;
-  };
-  const auto take = [&](const auto& map, const std::string& name) -> const auto& {
-    return take_of(map, name, state_.particles.id.size(), "particles");
-  };
-  const auto put = [](const auto& values, auto& to) { to.assign(values.begin(), values.end()); };
-  state_.return_to_order();
-  state_.backend.finish();
-  state_.step = whole_.runs = checkpoint.step;
-  state_.time = checkpoint.time;
-  state_.step_size = checkpoint.step_size;
-  put(take(checkpoint.integers, "id"), state_.particles.id);
-  std::vector<bool> seen(state_.particles.id.size(), false);
-  for (const std::int64_t id : state_.particles.id) {
-    if (id < 0 || id >= state_.particles.count() || seen[static_cast<std::size_t>(id)])
-      throw Error(ExitCode::bad_case, "the checkpoint names particle " + std::to_string(id) +
-                                          " twice, or it is none of this case: it belongs to another one");
-    seen[static_cast<std::size_t>(id)] = true;
-  }
-  // A branch may have other cells.
-  const bool sorted_alike = checkpoint.numbers.contains("sorted position 0");
-  std::array<std::vector<double>, 3> sorted;
-  for (int d = 0; d < state_.scene.dimension; ++d) {
-    const std::string axis = std::to_string(d);
-    put(take(checkpoint.numbers, "position " + axis), state_.particles.position[d]);
-    if (sorted_alike) sorted[d] = take(checkpoint.numbers, "sorted position " + axis);
-    const auto& images = take(checkpoint.integers, "images " + axis);
-    for (std::size_t i = 0; i < images.size(); ++i)
-      state_.particles.images[d][i] = static_cast<std::int32_t>(images[i]);
-  }
-  for (const std::string& name : checkpointed_fields(setup_)) {
-    Field& field = state_.fields.at(name);
-    for (int c = 0; c < field.components(); ++c) {
-      const auto& values = take(checkpoint.numbers, "field " + name + " " + std::to_string(c));
-      for (Index i = 0; i < state_.particles.count(); ++i) field.set(c, i, values[static_cast<std::size_t>(i)]);
-    }
-    ++field.version;
-  }
-  for (const auto& member : setup_.physics) {
-    for (const auto& kept : member.passes.kept()) {
-      const auto& numbers = take_of(checkpoint.numbers, member.instance + " keeps " + kept.name, kept.count, "numbers");
-      std::copy(numbers.begin(), numbers.end(), numbers_of(member, kept).begin());
-    }
-  }
+  restore_state(setup_, checkpoint, *state_);
+  whole_.runs = state_->step;
   ask_limits();
-  sorted_alike ? state_.restore_order(sorted) : state_.sort_anew();
   motion_.fastest = integrator_.fastest();
-  motion_.largest_acceleration = take_of(checkpoint.numbers, "largest acceleration", 1, "numbers").front();
+  motion_.largest_acceleration = stored(checkpoint.numbers, acceleration_name, 1, "numbers").front();
 }
 
 std::vector<Counter> Stepper::shares() const {
   std::vector<Counter> all = {integration_, guarding_};
   for (const ScheduledPass& scheduled : setup_.graph->passes())
     if (!scheduled.pruned()) all.push_back(scheduled.counter);
-  for (const auto& counters : {derived_->counters(), state_.counters()})
+  for (const auto& counters :
+       {derived_.counters(), std::vector{state_->order.counter(), state_->boundary_values.counter()}})
     all.insert(all.end(), counters.begin(), counters.end());
   return all;
 }

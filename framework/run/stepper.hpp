@@ -18,7 +18,7 @@
 
 namespace mesogen {
 
-/// The state of a run and how it goes on by one step.
+/// How the state of a run goes on by one step.
 class MESOGEN_EXPORT Stepper {
  public:
   /// At the initial conditions of the setup, which must outlive it.
@@ -39,12 +39,12 @@ class MESOGEN_EXPORT Stepper {
   /// One step. `reader_due` tells which readers will read at its end. Throws Error(run_failed) if the run broke down.
   void advance(const Step& step, const std::vector<bool>& reader_due);
 
-  [[nodiscard]] State& state() { return state_; }
+  [[nodiscard]] State& state() { return *state_; }
   [[nodiscard]] Executor& executor() { return executor_; }
   /// What plugins changed of themselves after the last step, for the log.
   [[nodiscard]] const std::vector<std::string>& changes() const { return changes_; }
   /// Where the last step ended.
-  [[nodiscard]] Arrival arrival() const { return {state_.time, state_.step_size}; }
+  [[nodiscard]] Arrival arrival() const { return {state_->time, state_->step_size}; }
   /// Largest speed after the last step, m/s.
   [[nodiscard]] double fastest() const { return motion_.fastest; }
   [[nodiscard]] const StepControl& control() const { return control_; }
@@ -57,16 +57,14 @@ class MESOGEN_EXPORT Stepper {
   [[nodiscard]] std::vector<Counter> shares() const;
 
  private:
-  void add_fields();
-  void set_initial_fields();
   void keep_order();
   void ask_limits();
   [[nodiscard]] StepControl::Choice longest_step() const;
   [[nodiscard]] double arrival_after(double step_size) const;
 
   Setup& setup_;
-  State state_;
-  std::unique_ptr<DerivedFields> derived_;
+  std::unique_ptr<State> state_;
+  DerivedFields derived_;
   Executor executor_;
   Integrator integrator_;
   StepControl control_;

@@ -127,15 +127,15 @@ void DerivedFields::make(const std::string& field) {
 
 void DerivedFields::run(PairPass& pass) {
   if (!pass.volume) make("volume");
-  if (!pass.volume) state_.refresh_boundary(state_.fields.at("volume"));
-  for (const Component& component : pass.components) state_.refresh_boundary(*component.source);
-  const Span span(pass.counter, state_.trace);
+  if (!pass.volume) state_.boundary_values.refresh(state_.fields.at("volume"));
+  for (const Component& component : pass.components) state_.boundary_values.refresh(*component.source);
+  const Span span(pass.counter, state_.clock.trace);
   if (state_.single()) {
     run_pair_sums<float, 2>(pass);
   } else {
     run_pair_sums<double, 2>(pass);
   }
-  state_.end_of_work();
+  state_.clock.end_of_work();
   pass.positions = state_.neighbourhood.version();
   for (std::size_t n = 0; n < pass.components.size(); ++n) {
     const Component& component = pass.components[n];
@@ -175,7 +175,7 @@ void DerivedFields::run_pair_sums(PairPass& pass) {
   if (!pass.weights) return;
   auto& weights = pass.weights->of<Real>();
   if (new_positions) {
-    const Span span(pass.finding, state_.trace);
+    const Span span(pass.finding, state_.clock.trace);
     sph::find_weights<Real, Dim>(neighbours, state_.kernel, wanted, weights);
   }
   sph::derivatives<Real, Dim>(exec::Space{}, neighbours, weights, wanted);

@@ -28,7 +28,7 @@ class ScheduledContext final : public PassContext {
   }
   [[nodiscard]] Index count() const override { return state_.particles.count(); }
   [[nodiscard]] const double* position(int axis) const override { return state_.particles.position[axis].data(); }
-  [[nodiscard]] std::uint64_t positions_version() const override { return state_.positions_version(); }
+  [[nodiscard]] std::uint64_t positions_version() const override { return state_.order.version(); }
   [[nodiscard]] const std::int64_t* id() const override { return state_.particles.id.data(); }
   [[nodiscard]] double time() const override { return state_.time; }
   [[nodiscard]] double step_size() const override { return state_.step_size; }
@@ -54,7 +54,7 @@ class ScheduledContext final : public PassContext {
     // Whether they happen to be up to date for somebody else's pass does not count: a plugin that works beside one and
     // not beside another would be no plugin.
     const Pass& pass = scheduled_.pass;
-    if (pass.neighbour_reads.empty() && !(pass.beside_sums && state_.settled()))
+    if (pass.neighbour_reads.empty() && !(pass.beside_sums && state_.order.settled()))
       throw Error(ExitCode::plugin_refused,
                   "it asks for neighbours, and declares none that it reads: name the fields that it reads at them in "
                   "the pass's reads_neighbours");
@@ -129,25 +129,27 @@ void Executor::run(Phase phase, const std::vector<bool>& reader_due) {
 }
 
 void Executor::run_alone(ScheduledPass& scheduled) {
-  state_.settle();
+  state_.order.settle();
   run(scheduled);
 }
 
-void Executor::settle(Purpose purpose) { purpose == Purpose::reading ? state_.settle_for_reader() : state_.settle(); }
+void Executor::settle(Purpose purpose) {
+  purpose == Purpose::reading ? state_.order.settle_for_reader() : state_.order.settle();
+}
 
 void Executor::run(ScheduledPass& scheduled) {
   const Purpose purpose = scheduled.for_integration ? Purpose::integration : Purpose::reading;
-  if (purpose == Purpose::integration) state_.return_to_order();
+  if (purpose == Purpose::integration) state_.order.return_to_integration();
   if (!scheduled.pass.neighbour_reads.empty()) settle(purpose);
   for (const std::string& field : scheduled.pass.own_reads) prepare(field, purpose);
   for (const std::string& field : scheduled.pass.optional_reads)
     if (state_.fields.find(field) != nullptr) prepare(field, purpose);
   for (const std::string& field : scheduled.pass.neighbour_reads) {
     prepare(field, purpose);
-    state_.refresh_boundary(state_.fields.at(field));
+    state_.boundary_values.refresh(state_.fields.at(field));
   }
   if (!scheduled.on_device) state_.backend.finish();
-  const Span span(scheduled.counter, state_.trace);
+  const Span span(scheduled.counter, state_.clock.trace);
   const PluginCall call{.plugin = scheduled.plugin,
                         .call = "pass",
                         .subject = scheduled.pass.name,
@@ -157,7 +159,7 @@ void Executor::run(ScheduledPass& scheduled) {
                         .time_unit = state_.units.time};
   call_plugin(call, ExitCode::run_failed, [&] {
     scheduled.pass.body(ScheduledContext(state_, scheduled));
-    state_.end_of_work();
+    state_.clock.end_of_work();
   });
   for (const std::string& field : scheduled.pass.write_list)
     if (Field* const written = state_.fields.find(field)) ++written->version;
@@ -207,9 +209,9 @@ void Executor::observe(Observed& observed) {
     note(pass.write_list);
     return all;
   };
-  if (observed.positions == state_.positions_version() && observed.versions == versions()) return;
+  if (observed.positions == state_.order.version() && observed.versions == versions()) return;
   run(*observed.scheduled);
-  observed.positions = state_.positions_version();
+  observed.positions = state_.order.version();
   observed.versions = versions();
 }
 

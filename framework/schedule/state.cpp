@@ -8,10 +8,11 @@ State::State(Scene scene_of_run, sph::SmoothingKernel kernel_of_run, const Bound
       kernel(std::move(kernel_of_run)),
       boundary(boundary_of_run),
       backend(backend_of_run),
+      clock{backend},
       particles(std::move(all)),
       neighbourhood(scene, boundary, backend),
-      scratch_(backend.memory()),
-      boundary_values_(scene, boundary, backend, neighbourhood, kernel) {}
+      order(particles, neighbourhood, fields, clock),
+      boundary_values(scene, boundary, neighbourhood, kernel, clock) {}
 
 Field& State::add_field(const std::string& name, int components, bool integrated) {
   Field& field = fields.add(std::make_unique<Field>(name, components, scene.precision, integrated, backend));
@@ -27,94 +28,6 @@ Field& State::add_in_double(const std::string& name, int components) {
   Field& field = fields.add(std::make_unique<Field>(name, components, Precision::double_precision, true, backend));
   field.resize(particles.count(), neighbourhood.boundary_count());
   return field;
-}
-
-void State::resize_fields() {
-  for (const auto& [name, field] : fields.all()) field->resize(particles.count(), neighbourhood.boundary_count());
-}
-
-void State::settle() {
-  return_to_order();
-  if (!moved_) return;
-  moved_ = false;
-  const Span span(sorting_, trace);
-  const exec::Array<Index>* order = neighbourhood.update(particles);
-  if (order != nullptr) permute_fields(*order);
-  end_of_work();
-}
-
-void State::settle_for_reader() {
-  if (!moved_) return;
-  const Span span(sorting_, trace);
-  if (!neighbourhood.update_without_sorting(particles)) {
-    if (!kept_order_ && neighbourhood.sorted()) keep_order();
-    const exec::Array<Index>& order = *neighbourhood.update(particles);
-    if (kept_order_)
-      for (std::size_t n = 0; n < order.size(); ++n)
-        kept_order_->way_back[static_cast<std::size_t>(order[n])] = static_cast<Index>(n);
-    permute_fields(order);
-  }
-  moved_ = false;
-  end_of_work();
-}
-
-void State::keep_order() {
-  backend.finish();
-  kept_order_.emplace(Order{particles, {}, exec::Array<Index>(particles.id.size(), backend.memory())});
-  for (int d = 0; d < scene.dimension; ++d) {
-    const auto& sorted = neighbourhood.sorted_position()[d];
-    kept_order_->sorted_position[d].assign(sorted.begin(), sorted.end());
-  }
-}
-
-void State::return_to_order() {
-  if (!kept_order_) return;
-  const Span span(sorting_, trace);
-  backend.finish();
-  particles = kept_order_->particles;
-  neighbourhood.restore(kept_order_->sorted_position);
-  permute_fields(kept_order_->way_back);
-  moved_ = true;
-  kept_order_.reset();
-  end_of_work();
-}
-
-void State::reorder() {
-  return_to_order();
-  const Span span(sorting_, trace);
-  permute_fields(neighbourhood.reorder(particles));
-  moved_ = true;
-}
-
-void State::permute_fields(const exec::Array<Index>& order) {
-  ++positions_version_;
-  resize_fields();
-  for (const auto& [name, field] : fields.all()) {
-    field->permute(order, scratch_);
-    field->refreshed = 0;
-  }
-}
-
-void State::sort_anew() {
-  return_to_order();
-  neighbourhood.forget_order();
-  mark_moved();
-  settle();
-}
-
-void State::restore_order(const std::array<std::vector<double>, 3>& sorted_position) {
-  kept_order_.reset();
-  mark_moved();
-  neighbourhood.restore(sorted_position);
-  resize_fields();
-  for (const auto& [name, field] : fields.all()) field->refreshed = 0;
-}
-
-void State::refresh_boundary(Field& field) {
-  if (boundary_values_.up_to_date(field)) return;
-  const Span span(refreshing_, trace);
-  boundary_values_.refresh(field);
-  end_of_work();
 }
 
 }  // namespace mesogen

@@ -46,6 +46,7 @@ class MESOGEN_EXPORT StepGraph {
   /// Derived fields that the integration needs; those of reader n.
   [[nodiscard]] const std::set<std::string>& derived_for_integration() const { return derived_for_integration_; }
   [[nodiscard]] const std::set<std::string>& derived_for_reader(std::size_t n) const { return derived_for_reader_[n]; }
+  [[nodiscard]] const std::vector<std::set<std::string>>& derived_for_readers() const { return derived_for_reader_; }
   /// How particles go with the flow; its shift is empty if nobody adds to it.
   [[nodiscard]] const Transport& transport() const { return transport_; }
   /// Does the integration need sums over neighbours?

@@ -73,7 +73,7 @@ exec::Finding Integrator::move(double by, double shift_by) {
 
 std::optional<exec::Finding> Integrator::move(double by, double shift_by) {
   if (velocity_ == nullptr || fixed_) return {};
-  state_.mark_moved();
+  state_.order.mark_moved();
   return state_.single() ? move<float>(by, shift_by) : move<double>(by, shift_by);
 }
 
@@ -105,7 +105,7 @@ exec::Finding Integrator::move_by_passes(double step_size, bool to_midpoint) {
 }
 
 exec::Finding Integrator::move_by_passes(double step_size, bool to_midpoint) {
-  state_.mark_moved();
+  state_.order.mark_moved();
   return state_.single() ? move_by_passes<float>(step_size, to_midpoint)
                          : move_by_passes<double>(step_size, to_midpoint);
 }

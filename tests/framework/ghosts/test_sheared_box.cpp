@@ -93,7 +93,7 @@ TEST_P(ShearedBox, ChangesTheVelocityAlone) {
   velocity.kind = FieldKind{Rank::vector, FieldRole::velocity, 2};
   Field& shift = state.add_field("shift", 2, false);
   shift.kind = FieldKind{Rank::vector, FieldRole::derived, 2};
-  state.sort_anew();
+  state.order.sort_anew();
   const auto refresh = [&] {
     for (Field* const field : {&velocity, &shift}) {
       for (Index i = 0; i < state.particles.count(); ++i) {
@@ -101,7 +101,7 @@ TEST_P(ShearedBox, ChangesTheVelocityAlone) {
         field->set(1, i, -i);
       }
       ++field->version;
-      state.refresh_boundary(*field);
+      state.boundary_values.refresh(*field);
     }
   };
   refresh();

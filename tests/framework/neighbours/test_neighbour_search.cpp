@@ -45,7 +45,7 @@ void visit_runs(const Neighbours<double, 2>& grid, Index i, Form form, const Act
 }
 
 std::vector<FoundPair> pairs_in_grid(State& state, Form form) {
-  state.settle();
+  state.order.settle();
   Neighbours<double, 2> grid{};
   state.neighbourhood.fill(grid);
   const GhostView ghosts = state.neighbourhood.ghost_view();
@@ -188,7 +188,7 @@ TEST_P(NeighbourSearch, BlocksHoldLittleButNeighbours) {
   const auto at = options(60.0, 60.0);
   ParticleScene scene(at, jittered(60, 60, 1.0, 0.2));
   State& state = scene.state();
-  state.settle();
+  state.order.settle();
   Neighbours<double, 2> grid{};
   state.neighbourhood.fill(grid);
   const auto count = static_cast<double>(state.particles.count());

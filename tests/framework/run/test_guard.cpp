@@ -49,7 +49,7 @@ void put(CaseRun& run, std::int64_t particle, double x, double y) {
   const Index place = place_of(run, particle);
   run.state().particles.position[0][place] = x;
   run.state().particles.position[1][place] = y;
-  run.state().mark_moved();
+  run.state().order.mark_moved();
 }
 
 TEST(Guard, AbsurdStepRunsAway) {

@@ -23,7 +23,7 @@ using Declare = std::function<void(Pass&)>;
 void run_pass(const std::function<void(const PassContext&)>& body, const Declare& declare = {}, bool moved = false,
               Phase phase = Phase::rates) {
   ParticleScene scene({}, lattice(20, 20, 0.05));
-  if (moved) scene.state().mark_moved();
+  if (moved) scene.state().order.mark_moved();
   scene.state().add_field("out", 1, false);
   scene.state().add_field("other", 1, false);
   Catalogue catalogue(2);

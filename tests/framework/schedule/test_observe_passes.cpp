@@ -43,7 +43,7 @@ TEST(ObservePasses, RunWhenAReaderAsksAndSomethingHasChanged) {
   executor.prepare(seen);
   EXPECT_EQ(state.fields.at("seen").value(0, 7), 2.0);
   EXPECT_EQ(runs(), 1);
-  state.mark_moved();
+  state.order.mark_moved();
   executor.prepare(seen);
   EXPECT_EQ(runs(), 2);
   ++state.fields.at("f").version;

@@ -1,0 +1,86 @@
+#include "neighbours/particle_order.hpp"
+
+namespace mesogen {
+
+void ParticleOrder::settle() {
+  return_to_integration();
+  if (!moved_) return;
+  moved_ = false;
+  const Span span(sorting_, clock_.trace);
+  const exec::Array<Index>* order = neighbourhood_.update(particles_);
+  if (order != nullptr) permute_fields(*order);
+  clock_.end_of_work();
+}
+
+void ParticleOrder::settle_for_reader() {
+  if (!moved_) return;
+  const Span span(sorting_, clock_.trace);
+  if (!neighbourhood_.update_without_sorting(particles_)) {
+    if (!kept_ && neighbourhood_.sorted()) keep();
+    const exec::Array<Index>& order = *neighbourhood_.update(particles_);
+    if (kept_)
+      for (std::size_t n = 0; n < order.size(); ++n)
+        kept_->way_back[static_cast<std::size_t>(order[n])] = static_cast<Index>(n);
+    permute_fields(order);
+  }
+  moved_ = false;
+  clock_.end_of_work();
+}
+
+void ParticleOrder::keep() {
+  clock_.backend.finish();
+  kept_.emplace(Kept{particles_, {}, exec::Array<Index>(particles_.id.size(), clock_.backend.memory())});
+  for (int d = 0; d < particles_.dimension; ++d) {
+    const auto& sorted = neighbourhood_.sorted_position()[d];
+    kept_->sorted_position[d].assign(sorted.begin(), sorted.end());
+  }
+}
+
+void ParticleOrder::return_to_integration() {
+  if (!kept_) return;
+  const Span span(sorting_, clock_.trace);
+  clock_.backend.finish();
+  particles_ = kept_->particles;
+  neighbourhood_.restore(kept_->sorted_position);
+  permute_fields(kept_->way_back);
+  moved_ = true;
+  kept_.reset();
+  clock_.end_of_work();
+}
+
+void ParticleOrder::sort_for_memory() {
+  return_to_integration();
+  const Span span(sorting_, clock_.trace);
+  permute_fields(neighbourhood_.reorder(particles_));
+  moved_ = true;
+}
+
+void ParticleOrder::sort_anew() {
+  return_to_integration();
+  neighbourhood_.forget_order();
+  mark_moved();
+  settle();
+}
+
+void ParticleOrder::restore(const std::array<std::vector<double>, 3>& sorted_position) {
+  kept_.reset();
+  mark_moved();
+  neighbourhood_.restore(sorted_position);
+  resize_fields();
+  for (const auto& [name, field] : fields_.all()) field->refreshed = 0;
+}
+
+void ParticleOrder::permute_fields(const exec::Array<Index>& order) {
+  ++version_;
+  resize_fields();
+  for (const auto& [name, field] : fields_.all()) {
+    field->permute(order, scratch_);
+    field->refreshed = 0;
+  }
+}
+
+void ParticleOrder::resize_fields() {
+  for (const auto& [name, field] : fields_.all()) field->resize(particles_.count(), neighbourhood_.boundary_count());
+}
+
+}  // namespace mesogen

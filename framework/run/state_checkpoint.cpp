@@ -1,0 +1,113 @@
+#include "run/state_checkpoint.hpp"
+
+#include <algorithm>
+#include <span>
+
+#include "plugin/plugin_call.hpp"
+#include "run/planned_fields.hpp"
+
+namespace mesogen {
+
+namespace {
+
+/// Where a plugin keeps numbers of its own.
+std::span<double> numbers_of(const Setup::PhysicsMember& member, const PassList::Kept& kept) {
+  std::span<double> numbers;
+  call_plugin(member.type, "keep(\"" + kept.name + "\")", [&] { numbers = kept.where(); });
+  if (numbers.size() != kept.count)
+    throw Error(ExitCode::plugin_refused, member.instance + " keeps '" + kept.name + "' as " +
+                                              std::to_string(numbers.size()) + " numbers, where it told of " +
+                                              std::to_string(kept.count) + ": name the number that there are");
+  return numbers;
+}
+
+std::string name_of(const Setup::PhysicsMember& member, const PassList::Kept& kept) {
+  return member.instance + " keeps " + kept.name;
+}
+
+void refuse_other_particles(const std::vector<std::int64_t>& ids) {
+  std::vector<bool> seen(ids.size(), false);
+  for (const std::int64_t id : ids) {
+    if (id < 0 || id >= std::ssize(ids) || seen[static_cast<std::size_t>(id)])
+      throw Error(ExitCode::bad_case, "the checkpoint names particle " + std::to_string(id) +
+                                          " twice, or it is none of this case: it belongs to another one");
+    seen[static_cast<std::size_t>(id)] = true;
+  }
+}
+
+}  // namespace
+
+void save_state(const Setup& setup, State& state, Checkpoint& checkpoint) {
+  state.order.return_to_integration();
+  state.backend.finish();
+  const auto list = [](const auto& values) { return std::vector(values.begin(), values.end()); };
+  checkpoint.step = state.step;
+  checkpoint.time = state.time;
+  checkpoint.step_size = state.step_size;
+  checkpoint.precision = state.scene.precision;
+  checkpoint.dimension = state.scene.dimension;
+  checkpoint.integers["id"] = list(state.particles.id);
+  for (int d = 0; d < state.scene.dimension; ++d) {
+    const std::string axis = std::to_string(d);
+    checkpoint.numbers["position " + axis] = list(state.particles.position[d]);
+    checkpoint.numbers["sorted position " + axis] = list(state.neighbourhood.sorted_position()[d]);
+    const auto& images = state.particles.images[d];
+    checkpoint.integers["images " + axis].assign(images.begin(), images.end());
+  }
+  for (const std::string& name : checkpointed_fields(setup)) {
+    const Field& field = state.fields.at(name);
+    for (int c = 0; c < field.components(); ++c) {
+      auto& values = checkpoint.numbers["field " + name + " " + std::to_string(c)];
+      values.resize(state.particles.id.size());
+      for (Index i = 0; i < state.particles.count(); ++i) values[static_cast<std::size_t>(i)] = field.value(c, i);
+    }
+  }
+  for (const auto& member : setup.physics) {
+    for (const auto& kept : member.passes.kept()) {
+      const auto numbers = numbers_of(member, kept);
+      checkpoint.numbers[name_of(member, kept)].assign(numbers.begin(), numbers.end());
+    }
+  }
+}
+
+void restore_state(const Setup& setup, const Checkpoint& checkpoint, State& state) {
+  Particles& particles = state.particles;
+  const auto take = [&](const auto& lists, const std::string& name) -> const auto& {
+    return stored(lists, name, particles.id.size(), "particles");
+  };
+  const auto put = [](const auto& values, auto& to) { to.assign(values.begin(), values.end()); };
+  state.order.return_to_integration();
+  state.backend.finish();
+  state.step = checkpoint.step;
+  state.time = checkpoint.time;
+  state.step_size = checkpoint.step_size;
+  refuse_other_particles(take(checkpoint.integers, "id"));
+  put(take(checkpoint.integers, "id"), particles.id);
+  // A branch may have other cells.
+  const bool sorted_alike = checkpoint.numbers.contains("sorted position 0");
+  std::array<std::vector<double>, 3> sorted;
+  for (int d = 0; d < state.scene.dimension; ++d) {
+    const std::string axis = std::to_string(d);
+    put(take(checkpoint.numbers, "position " + axis), particles.position[d]);
+    if (sorted_alike) sorted[d] = take(checkpoint.numbers, "sorted position " + axis);
+    const auto& images = take(checkpoint.integers, "images " + axis);
+    for (std::size_t i = 0; i < images.size(); ++i) particles.images[d][i] = static_cast<std::int32_t>(images[i]);
+  }
+  for (const std::string& name : checkpointed_fields(setup)) {
+    Field& field = state.fields.at(name);
+    for (int c = 0; c < field.components(); ++c) {
+      const auto& values = take(checkpoint.numbers, "field " + name + " " + std::to_string(c));
+      for (Index i = 0; i < particles.count(); ++i) field.set(c, i, values[static_cast<std::size_t>(i)]);
+    }
+    ++field.version;
+  }
+  for (const auto& member : setup.physics) {
+    for (const auto& kept : member.passes.kept()) {
+      const auto& numbers = stored(checkpoint.numbers, name_of(member, kept), kept.count, "numbers");
+      std::copy(numbers.begin(), numbers.end(), numbers_of(member, kept).begin());
+    }
+  }
+  sorted_alike ? state.order.restore(sorted) : state.order.sort_anew();
+}
+
+}  // namespace mesogen

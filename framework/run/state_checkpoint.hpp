@@ -1,0 +1,28 @@
+#pragma once
+
+#include "output/checkpoint.hpp"
+#include "run/setup.hpp"
+#include "schedule/state.hpp"
+
+/// The state of a run in a checkpoint: particles, the order in which they are stored, the fields that last from step to
+/// step, and the numbers that plugins keep.
+namespace mesogen {
+
+void save_state(const Setup& setup, State& state, Checkpoint& checkpoint);
+
+/// Throws Error(bad_case) if the checkpoint belongs to another case.
+void restore_state(const Setup& setup, const Checkpoint& checkpoint, State& state);
+
+/// Of a kind of list in a checkpoint, the one of this name. Throws Error(bad_case) if there is none of this size, and
+/// says of what it should have been: "numbers".
+template <class List>
+const List& stored(const std::map<std::string, List>& lists, const std::string& name, std::size_t size,
+                   const std::string& of) {
+  const auto at = lists.find(name);
+  if (at == lists.end() || at->second.size() != size)
+    throw Error(ExitCode::bad_case, "the checkpoint has no '" + name + "' for " + std::to_string(size) + " " + of +
+                                        ": it belongs to another case");
+  return at->second;
+}
+
+}  // namespace mesogen
