@@ -1,173 +1,105 @@
-// Setting a case up, last part: fields, passes and readers. See SetupBuilder.
-
 #include "run/setup.hpp"
 
-#include <algorithm>
 #include <stdexcept>
 
 #include "plugin/plugin_call.hpp"
 #include "plugin/sample_scene.hpp"
+#include "run/choose_backend.hpp"
 #include "run/refusals.hpp"
-#include "run/setup_builder.hpp"
-#include "schedule/derived_name.hpp"
-#include "text/nearest.hpp"
+#include "run/setup_context.hpp"
 
 namespace mesogen {
 
 namespace {
 
-/// ": [director]", the initial conditions that set a field; empty if there is none.
-std::string those_who_set(const std::string& field, const PluginRegistry& registry) {
-  std::string text;
-  for (const std::string& name : registry.names(PluginKind::initial)) {
-    InitialPlan plan;
-    try {
-      const auto plugin = registry.make_initial(name);
-      call_plugin(name, "plan()", [&] { plugin->plan(plan); });
-    } catch (const Error&) {
-      continue;  // what is wrong with another plugin is not asked here
-    }
-    for (const FieldDeclaration& declared : plan.fields())
-      if (declared.name == field) text += (text.empty() ? ": [" : " or [") + name + "]";
-  }
-  return text;
+void choose_backend(SetupContext& context) {
+  Setup& setup = context.setup;
+  BackendChoice choice = choose_backend(setup.source, context.registry);
+  setup.backend = choice.backend;
+  setup.why_on_host = std::move(choice.why_on_host);
+  if (!choice.problem.empty()) context.problems.add(setup.source.place("run.device"), "run.device", choice.problem);
 }
 
-void refuse_made_by_framework(const std::string& field, const std::string& initial) {
-  if (field != "position" && derived_name(field).kind == DerivedName::Kind::none) return;
-  throw Error(ExitCode::plugin_refused, "[" + initial + "] sets '" + field +
-                                            "', which the framework makes: an initial condition sets fields that a "
-                                            "plugin introduces");
-}
-
-}  // namespace
-
-void SetupBuilder::collect_fields() {
-  for (std::size_t n = 0; n < setup_.physics.size(); ++n)
-    attempt(source_.physics[n], [&] {
-      const auto& member = setup_.physics[n];
-      for (const FieldDeclaration& field : member.passes.fields()) setup_.catalogue.add(field, member.instance);
-    });
-  collect_initial_fields();
-  if (additions_.fields) additions_.fields(setup_);
-  if (initial_missing_) return;
-  for (const auto& [name, entry] : setup_.catalogue.all())
-    if (entry.declaration.needs_start && !entry.initial)
-      problems_.add({source_.file, 0, 0}, name,
-                    "this field of " + entry.owner + " needs an initial condition: add a section that sets it" +
-                        those_who_set(name, registry_));
-}
-
-void SetupBuilder::collect_initial_fields() {
-  for (std::size_t n = 0; n < setup_.initial.size(); ++n)
-    attempt(source_.initial[n], [&] {
-      const auto& member = setup_.initial[n];
-      for (const FieldDeclaration& field : member.plan.fields()) {
-        refuse_made_by_framework(field.name, member.name);
-        setup_.catalogue.add_initial(field, member.name);
-      }
-    });
-}
-
-// Unless the case names others: what the plugins show, those of the physics first.
-void SetupBuilder::choose_shown_fields() {
-  const auto show = [&](const auto& fields) {
-    for (const FieldDeclaration& field : fields)
-      if (field.is_shown && std::ranges::find(setup_.output_fields, field.name) == setup_.output_fields.end())
-        setup_.output_fields.push_back(field.name);
-  };
-  for (const auto& member : setup_.physics) show(member.passes.fields());
-  for (const auto& member : setup_.initial) show(member.plan.fields());
-}
-
-void SetupBuilder::choose_output() {
-  if (!source_.output.fields_given) choose_shown_fields();
-  for (const std::string& field : source_.output.fields) {
-    if (field == "position") continue;
-    if (setup_.catalogue.exists(field)) {
-      setup_.output_fields.push_back(field);
-    } else {
-      std::string text = "there is no field '" + field + "' in this scene";
-      if (const std::string near = nearest(field, setup_.catalogue.names()); !near.empty())
-        text += "; did you mean '" + near + "'";
-      std::string all;
-      for (const std::string& name : setup_.catalogue.names()) all += (all.empty() ? "" : ", ") + name;
-      problems_.add(source_.place("output.fields"), "output.fields",
-                    text + ". There are: position, " + all + ", and X_gradient and X_laplacian of each X");
-    }
-  }
-  resolved_.set_output_fields(setup_.output_fields);
-}
-
-void SetupBuilder::plan_observers() {
-  for (std::size_t n = 0; n < setup_.observers.size(); ++n)
-    attempt(source_.observers[n], [&] {
-      auto& member = setup_.observers[n];
-      call_plugin(member.type, "plan()", [&] { member.plugin->plan(setup_.scene, member.plan); });
+void plan_observers(SetupContext& context) {
+  Setup& setup = context.setup;
+  const Case& source = setup.source;
+  for (std::size_t n = 0; n < setup.observers.size(); ++n)
+    context.attempt(source.observers[n], [&] {
+      auto& member = setup.observers[n];
+      call_plugin(member.type, "plan()", [&] { member.plugin->plan(setup.scene, member.plan); });
       member.fields = member.plan.read_list();
       for (const std::string& field : member.plan.optional_list())
-        if (setup_.catalogue.exists(field)) member.fields.push_back(field);
+        if (setup.catalogue.exists(field)) member.fields.push_back(field);
     });
 }
 
 // With wrong parameters plugins may not know what they would declare; if all of them do, the names of output fields
 // can be checked too, so that a user sees all mistakes at once.
-void SetupBuilder::check_fields_of_unsound_case() {
+void collect_fields_of_unsound_case(SetupContext& context) {
   try {
-    for (auto& member : setup_.physics) member.passes = sample_declaration(*member.plugin, member.type, registry_);
+    for (auto& member : context.setup.physics)
+      member.passes = sample_declaration(*member.plugin, member.type, context.registry);
   } catch (const Error&) {
     return;
   }
-  collect_fields();
-  choose_output();
+  collect_fields(context);
+  choose_output(context);
 }
 
-void SetupBuilder::put_together() {
-  const bool all_made = setup_.physics.size() == source_.physics.size() &&
-                        setup_.observers.size() == source_.observers.size() &&
-                        setup_.initial.size() == source_.initial.size();
-  const bool sound = problems_.empty();
-  if (!all_made || source_.tree == nullptr) return;
-  if (!sound) return check_fields_of_unsound_case();
-  describe_scene();
-  if (!problems_.empty()) return check_fields_of_unsound_case();
-  declare_physics();
-  if (!problems_.empty()) return check_fields_of_unsound_case();
-  collect_fields();
-  choose_output();
-  if (!problems_.empty()) return;
-  limit_step();
-  plan_observers();
-  refuse_traces(setup_, problems_);
-  if (!problems_.empty()) return;
-  if (additions_.readers) additions_.readers(setup_);
+void order_step(SetupContext& context) {
+  Setup& setup = context.setup;
   std::vector<StepGraph::Member> members;
-  for (const auto& member : setup_.physics)
+  for (const auto& member : setup.physics)
     members.push_back({member.instance, &member.passes, member.type, member.on_device});
   std::vector<Reader> readers;
-  for (const auto& member : setup_.observers) readers.push_back({"observers." + member.instance, member.fields});
-  readers.push_back({"output.fields", setup_.output_fields});
-  setup_.graph = std::make_unique<StepGraph>(setup_.catalogue, members, readers, *setup_.backend);
-  refuse_few_neighbours(setup_, problems_);
-  setup_.resolved_text = resolved_.text();
+  for (const auto& member : setup.observers) readers.push_back({"observers." + member.instance, member.fields});
+  readers.push_back({"output.fields", setup.output_fields});
+  setup.graph = std::make_unique<StepGraph>(setup.catalogue, members, readers, *setup.backend);
 }
+
+bool all_made(const Setup& setup) {
+  const Case& source = setup.source;
+  return setup.physics.size() == source.physics.size() && setup.observers.size() == source.observers.size() &&
+         setup.initial.size() == source.initial.size();
+}
+
+void put_together(SetupContext& context) {
+  Setup& setup = context.setup;
+  const auto sound = [&] { return context.problems.empty(); };
+  if (!all_made(setup) || setup.source.tree == nullptr) return;
+  if (sound()) describe_scene(context);
+  if (sound()) declare_physics(context);
+  if (!sound()) return collect_fields_of_unsound_case(context);
+  collect_fields(context);
+  choose_output(context);
+  if (!sound()) return;
+  limit_step(context);
+  plan_observers(context);
+  refuse_traces(setup, context.problems);
+  if (!sound()) return;
+  if (context.additions.readers) context.additions.readers(setup);
+  order_step(context);
+  refuse_few_neighbours(setup, context.problems);
+  setup.resolved_text = context.resolved.text();
+}
+
+}  // namespace
 
 std::unique_ptr<Setup> set_up(Case source, const PluginRegistry& registry, Problems& problems,
                               const SetupAdditions& additions) {
   auto setup = std::make_unique<Setup>(std::move(source));
-  SetupBuilder builder(*setup, registry, problems, additions);
-  builder.choose_backend();
-  builder.make_plugins();
-  builder.choose_kernel();
+  SetupContext context{*setup, registry, problems, additions, ResolvedCase(setup->source)};
+  choose_backend(context);
+  make_plugins(context);
+  choose_kernel(context);
   try {
-    builder.put_together();
+    put_together(context);
   } catch (const Error& error) {
     if (error.code() != ExitCode::bad_case) throw;
     problems.add_lines({setup->source.file, 0, 0}, error.what());
   }
   if (problems.empty() && !setup->graph) throw std::logic_error("a case without problems could not be set up");
-  if (!problems.empty())
-    throw Error(builder.refused() ? ExitCode::plugin_refused : ExitCode::bad_case, problems.text());
+  if (!problems.empty()) throw Error(context.refused ? ExitCode::plugin_refused : ExitCode::bad_case, problems.text());
   return setup;
 }
 

@@ -1,10 +1,7 @@
-// Setting a case up, first part: its plugins and their parameters.
-
 #include <algorithm>
 
 #include "plugin/plugin_call.hpp"
-#include "run/choose_backend.hpp"
-#include "run/setup_builder.hpp"
+#include "run/setup_context.hpp"
 #include "run/smoothing.hpp"
 #include "sph/standard_passes.hpp"
 #include "text/nearest.hpp"
@@ -25,105 +22,121 @@ std::string hint_on_section(const CaseSection& section, const PluginRegistry& re
   return did_you_mean(name, registry.names(PluginKind::initial));
 }
 
-}  // namespace
-
 template <class Make>
-auto SetupBuilder::make(const PluginChoice& choice, Make&& made) -> decltype(made(choice.type)) {
+auto make(SetupContext& context, const PluginChoice& choice, Make&& made) -> decltype(made(choice.type)) {
   if (choice.type.empty()) return nullptr;
   try {
     return made(choice.type);
   } catch (const Error& error) {
-    refused_ = refused_ || error.code() == ExitCode::plugin_refused;
-    problems_.add(choice.type_place, choice.type_key, error.what());
+    context.refused = context.refused || error.code() == ExitCode::plugin_refused;
+    context.problems.add(choice.type_place, choice.type_key, error.what());
     return nullptr;
   }
 }
 
-void SetupBuilder::read(const PluginChoice& choice, const ParameterList& list) {
-  choice.read(list, problems_);
-  resolved_.add(choice.section, list);
+/// Reads the parameters of a plugin, which goes if they are wrong.
+template <class Plugin>
+void read_parameters(SetupContext& context, const PluginChoice& choice, Plugin& plugin) {
+  if (!plugin) return;
+  bool understood = false;
+  context.attempt(choice, [&] {
+    ParameterList list;
+    call_plugin(choice.type, "parameters()", [&] { plugin->parameters(list); });
+    choice.read(list, context.problems);
+    context.resolved.add(choice.section, list);
+    understood = true;
+  });
+  if (!understood) plugin.reset();
 }
 
-void SetupBuilder::choose_backend() {
-  BackendChoice choice = mesogen::choose_backend(source_, registry_);
-  setup_.backend = choice.backend;
-  setup_.why_on_host = std::move(choice.why_on_host);
-  if (!choice.problem.empty()) problems_.add(source_.place("run.device"), "run.device", choice.problem);
+void make_boundary_and_kernel(SetupContext& context) {
+  Setup& setup = context.setup;
+  const Case& source = setup.source;
+  setup.boundary = make(context, source.boundary, [&](const std::string& type) {
+    return context.registry.make_boundary(type, source.units.length);
+  });
+  read_parameters(context, source.boundary, setup.boundary);
+  setup.kernel =
+      make(context, source.kernel, [&](const std::string& type) { return context.registry.make_kernel(type); });
+  read_parameters(context, source.kernel, setup.kernel);
 }
 
-void SetupBuilder::make_plugins() {
-  const auto simple = [&](const PluginChoice& choice, auto& plugin) {
-    if (!plugin) return;
-    bool understood = false;
-    attempt(choice, [&] {
-      ParameterList list;
-      call_plugin(choice.type, "parameters()", [&] { plugin->parameters(list); });
-      read(choice, list);
-      understood = true;
-    });
-    if (!understood) plugin.reset();
-  };
-  setup_.boundary = make(source_.boundary,
-                         [&](const std::string& type) { return registry_.make_boundary(type, source_.units.length); });
-  simple(source_.boundary, setup_.boundary);
-  setup_.kernel = make(source_.kernel, [&](const std::string& type) { return registry_.make_kernel(type); });
-  simple(source_.kernel, setup_.kernel);
-  for (const PluginChoice& choice : source_.initial) {
-    auto plugin = make(choice, [&](const std::string& name) {
-      if (const std::string hint = hint_on_section(choice.section, registry_); !hint.empty())
-        throw Error(ExitCode::bad_case, "unknown section or key" + hint);
-      return registry_.make_initial(name);
-    });
-    initial_missing_ = initial_missing_ || !plugin;
-    simple(choice, plugin);
-    if (!plugin) continue;
-    plugin->unit = [units = source_.units](std::string_view si) { return units.text(si); };
-    setup_.initial.push_back({choice.type, std::move(plugin), {}});
-    attempt(choice, [&] {
-      auto& member = setup_.initial.back();
-      call_plugin(choice.type, "plan()", [&] { member.plugin->plan(member.plan); });
-    });
-  }
-  for (const PluginChoice& choice : source_.physics) {
-    const bool on_device = !setup_.backend->on_host() && registry_.has_cuda(choice.type);
-    auto plugin = make(choice, [&](const std::string& type) {
-      return on_device ? registry_.make_physics_for_cuda(type, source_.run.precision, 2)
-                       : registry_.make_physics(type, source_.run.precision, 2);
-    });
-    simple(choice, plugin);
-    if (plugin) setup_.physics.push_back({"physics." + choice.instance, std::move(plugin), {}, choice.type, on_device});
-  }
-  setup_.instruction_sets = "derivatives " + (setup_.backend->on_host() ? sph::instruction_set() : std::string("cuda"));
-  for (const auto& member : setup_.physics)
-    if (const LoadedPlugin* const plugin = registry_.find(PluginKind::physics, member.type))
-      setup_.instruction_sets += ", " + member.type + " " + (member.on_device ? "cuda" : plugin->instruction_set);
-  for (std::size_t n = 0; n < source_.observers.size(); ++n) {
-    const PluginChoice& choice = source_.observers[n];
-    auto plugin = make(choice, [&](const std::string& type) { return registry_.make_observer(type); });
-    simple(choice, plugin);
-    if (plugin)
-      setup_.observers.push_back({choice.instance, std::move(plugin), {}, source_.timings[n], {}, choice.type});
-  }
+void make_initial(SetupContext& context, const PluginChoice& choice) {
+  Setup& setup = context.setup;
+  auto plugin = make(context, choice, [&](const std::string& name) {
+    if (const std::string hint = hint_on_section(choice.section, context.registry); !hint.empty())
+      throw Error(ExitCode::bad_case, "unknown section or key" + hint);
+    return context.registry.make_initial(name);
+  });
+  context.initial_missing = context.initial_missing || !plugin;
+  read_parameters(context, choice, plugin);
+  if (!plugin) return;
+  plugin->unit = [units = setup.source.units](std::string_view si) { return units.text(si); };
+  setup.initial.push_back({choice.type, std::move(plugin), {}});
+  context.attempt(choice, [&] {
+    auto& member = setup.initial.back();
+    call_plugin(choice.type, "plan()", [&] { member.plugin->plan(member.plan); });
+  });
 }
 
-void SetupBuilder::choose_kernel() {
-  if (!setup_.kernel || !(source_.particles.spacing > 0.0) || !(source_.smoothing_length_ratio > 0.0)) return;
+void make_physics(SetupContext& context, const PluginChoice& choice) {
+  Setup& setup = context.setup;
+  const bool on_device = !setup.backend->on_host() && context.registry.has_cuda(choice.type);
+  const Precision precision = setup.source.run.precision;
+  auto plugin = make(context, choice, [&](const std::string& type) {
+    return on_device ? context.registry.make_physics_for_cuda(type, precision, 2)
+                     : context.registry.make_physics(type, precision, 2);
+  });
+  read_parameters(context, choice, plugin);
+  if (plugin) setup.physics.push_back({"physics." + choice.instance, std::move(plugin), {}, choice.type, on_device});
+}
+
+void make_observer(SetupContext& context, const PluginChoice& choice, const ObserverTiming& timing) {
+  auto plugin = make(context, choice, [&](const std::string& type) { return context.registry.make_observer(type); });
+  read_parameters(context, choice, plugin);
+  if (plugin) context.setup.observers.push_back({choice.instance, std::move(plugin), {}, timing, {}, choice.type});
+}
+
+std::string instruction_sets(const Setup& setup, const PluginRegistry& registry) {
+  std::string all = "derivatives " + (setup.backend->on_host() ? sph::instruction_set() : std::string("cuda"));
+  for (const auto& member : setup.physics)
+    if (const LoadedPlugin* const plugin = registry.find(PluginKind::physics, member.type))
+      all += ", " + member.type + " " + (member.on_device ? "cuda" : plugin->instruction_set);
+  return all;
+}
+
+}  // namespace
+
+void make_plugins(SetupContext& context) {
+  const Case& source = context.setup.source;
+  make_boundary_and_kernel(context);
+  for (const PluginChoice& choice : source.initial) make_initial(context, choice);
+  for (const PluginChoice& choice : source.physics) make_physics(context, choice);
+  for (std::size_t n = 0; n < source.observers.size(); ++n)
+    make_observer(context, source.observers[n], source.timings[n]);
+  context.setup.instruction_sets = instruction_sets(context.setup, context.registry);
+}
+
+void choose_kernel(SetupContext& context) {
+  Setup& setup = context.setup;
+  const Case& source = setup.source;
+  if (!setup.kernel || !(source.particles.spacing > 0.0) || !(source.smoothing_length_ratio > 0.0)) return;
   bool made = false;
-  attempt(source_.kernel, [&] {
-    setup_.smoothing.shape = call_plugin(source_.kernel.type, "shape()", [&] { return setup_.kernel->shape(); });
+  context.attempt(source.kernel, [&] {
+    setup.smoothing.shape = call_plugin(source.kernel.type, "shape()", [&] { return setup.kernel->shape(); });
     made = true;
   });
   if (!made) return;
-  if (const std::string problem = setup_.smoothing.shape.problem(); !problem.empty()) {
-    problems_.add(source_.kernel.type_place, source_.kernel.type_key, "this kernel cannot be used: " + problem);
+  if (const std::string problem = setup.smoothing.shape.problem(); !problem.empty()) {
+    context.problems.add(source.kernel.type_place, source.kernel.type_key, "this kernel cannot be used: " + problem);
     return;
   }
-  setup_.smoothing = smoothing_of(source_, std::move(setup_.smoothing.shape));
-  if (const std::string problem = range_problem(source_, setup_.smoothing); !problem.empty())
-    problems_.add(source_.place("particles.spacing"), "particles.spacing", problem);
-  const bool walls = setup_.boundary && !setup_.boundary->periodic(shortest_axis(source_));
-  if (const std::string problem = support_problem(source_, setup_.smoothing, walls); !problem.empty())
-    problems_.add(source_.place("kernel.smoothing_length"), "kernel.smoothing_length", problem);
+  setup.smoothing = smoothing_of(source, std::move(setup.smoothing.shape));
+  if (const std::string problem = range_problem(source, setup.smoothing); !problem.empty())
+    context.problems.add(source.place("particles.spacing"), "particles.spacing", problem);
+  const bool walls = setup.boundary && !setup.boundary->periodic(shortest_axis(source));
+  if (const std::string problem = support_problem(source, setup.smoothing, walls); !problem.empty())
+    context.problems.add(source.place("kernel.smoothing_length"), "kernel.smoothing_length", problem);
 }
 
 }  // namespace mesogen

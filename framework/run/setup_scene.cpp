@@ -1,12 +1,10 @@
-// Setting a case up, second part: the scene, as plugins see it and add to it.
-
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
 #include "plugin/plugin_call.hpp"
 #include "run/initial_extent.hpp"
-#include "run/setup_builder.hpp"
+#include "run/setup_context.hpp"
 #include "sph/lattice.hpp"
 #include "text/rounded_text.hpp"
 
@@ -21,70 +19,80 @@ constexpr double diffusion_margin = 0.6;
 /// See TimeScheme.
 double stable_rate(const std::string& scheme) { return scheme == "midpoint" ? 1.0 : 2.0; }
 
-}  // namespace
-
-void SetupBuilder::describe_scene() {
-  Scene& scene = setup_.scene;
-  setup_.arrangement = arrange(source_);
-  scene.dimension = 2;
-  scene.precision = source_.run.precision;
-  scene.box = {source_.domain.size[0], source_.domain.size[1], 0.0};
-  for (int d = 0; d < 2; ++d) scene.periodic[d] = setup_.boundary->periodic(d);
-  scene.spacing = source_.particles.spacing;
-  scene.smoothing_length = setup_.smoothing.smoothing_length;
-  scene.support = setup_.smoothing.radius();
-  scene.particle_count = setup_.arrangement.count;
-  scene.diffusion_step =
-      diffusion_margin * stable_rate(source_.time.scheme) /
-      sph::largest_laplacian(setup_.smoothing, scene.spacing, scene.dimension, source_.laplacian == "consistent");
-  publish_physics();
-  scene.scales = {};  // what was told of an incomplete scene does not count: all tell it again
-  if (additions_.scene) additions_.scene(scene);
-  attempt(source_.boundary, [&] { setup_.boundary->prepare(scene); });
-  publish_initial_conditions();
-  attempt(source_.boundary, [&] { setup_.boundary->scales(scene.scales); });
-  if (problems_.empty()) publish_physics();
-}
-
-void SetupBuilder::publish_physics() {
-  for (std::size_t n = 0; n < setup_.physics.size(); ++n)
-    attempt(source_.physics[n], [&] {
-      const auto& member = setup_.physics[n];
-      call_plugin(member.type, "publish()", [&] { member.plugin->publish(setup_.scene); });
+void publish_physics(SetupContext& context) {
+  Setup& setup = context.setup;
+  const Case& source = setup.source;
+  for (std::size_t n = 0; n < setup.physics.size(); ++n)
+    context.attempt(source.physics[n], [&] {
+      const auto& member = setup.physics[n];
+      call_plugin(member.type, "publish()", [&] { member.plugin->publish(setup.scene); });
     });
 }
 
-void SetupBuilder::declare_physics() {
-  for (std::size_t n = 0; n < setup_.physics.size(); ++n)
-    attempt(source_.physics[n], [&] {
-      auto& member = setup_.physics[n];
-      call_plugin(member.type, "declare()", [&] { member.plugin->declare(setup_.scene, member.passes); });
-    });
-  for (const auto& member : setup_.physics)
-    for (const auto& [name, value] : member.passes.constants()) setup_.scene.constants[name] = value;
-}
-
-void SetupBuilder::limit_step() {
-  for (std::size_t n = 0; n < setup_.physics.size(); ++n)
-    attempt(source_.physics[n], [&] { add_step_limits(setup_.physics[n], setup_, setup_.limits); });
-}
-
-void SetupBuilder::publish_initial_conditions() {
-  for (std::size_t n = 0; n < setup_.initial.size(); ++n)
-    attempt(source_.initial[n], [&] {
-      const auto& member = setup_.initial[n];
-      call_plugin(member.name, "publish()", [&] { member.plugin->publish(setup_.scene); });
+void publish_initial_conditions(SetupContext& context) {
+  Setup& setup = context.setup;
+  const Case& source = setup.source;
+  for (std::size_t n = 0; n < setup.initial.size(); ++n)
+    context.attempt(source.initial[n], [&] {
+      const auto& member = setup.initial[n];
+      call_plugin(member.name, "publish()", [&] { member.plugin->publish(setup.scene); });
     });
   // Of a boundary that refused its parameters nothing more is asked, and with wrong ones nothing is set.
-  for (std::size_t n = 0; n < setup_.initial.size() && problems_.empty(); ++n) {
+  for (std::size_t n = 0; n < setup.initial.size() && context.problems.empty(); ++n) {
     std::optional<InitialState> state;
-    attempt(source_.initial[n], [&] { state.emplace(initial_state(setup_.initial[n], setup_)); });
+    context.attempt(source.initial[n], [&] { state.emplace(initial_state(setup.initial[n], setup)); });
     // Behind walls the boundary says how the field goes on: what it does wrong is its own.
-    attempt(source_.boundary, [&] {
-      for (const FieldDeclaration& field : setup_.initial[n].plan.fields())
-        if (state) setup_.scene.initial[field.name] = initial_extent(field, *state, *setup_.boundary, setup_.smoothing);
+    context.attempt(source.boundary, [&] {
+      for (const FieldDeclaration& field : setup.initial[n].plan.fields())
+        if (state) setup.scene.initial[field.name] = initial_extent(field, *state, *setup.boundary, setup.smoothing);
     });
   }
+}
+
+}  // namespace
+
+void describe_scene(SetupContext& context) {
+  Setup& setup = context.setup;
+  const Case& source = setup.source;
+  Scene& scene = setup.scene;
+  setup.arrangement = arrange(source);
+  scene.dimension = 2;
+  scene.precision = source.run.precision;
+  scene.box = {source.domain.size[0], source.domain.size[1], 0.0};
+  for (int d = 0; d < 2; ++d) scene.periodic[d] = setup.boundary->periodic(d);
+  scene.spacing = source.particles.spacing;
+  scene.smoothing_length = setup.smoothing.smoothing_length;
+  scene.support = setup.smoothing.radius();
+  scene.particle_count = setup.arrangement.count;
+  scene.diffusion_step =
+      diffusion_margin * stable_rate(source.time.scheme) /
+      sph::largest_laplacian(setup.smoothing, scene.spacing, scene.dimension, source.laplacian == "consistent");
+  publish_physics(context);
+  scene.scales = {};  // what was told of an incomplete scene does not count: all tell it again
+  if (context.additions.scene) context.additions.scene(scene);
+  context.attempt(source.boundary, [&] { setup.boundary->prepare(scene); });
+  publish_initial_conditions(context);
+  context.attempt(source.boundary, [&] { setup.boundary->scales(scene.scales); });
+  if (context.problems.empty()) publish_physics(context);
+}
+
+void declare_physics(SetupContext& context) {
+  Setup& setup = context.setup;
+  const Case& source = setup.source;
+  for (std::size_t n = 0; n < setup.physics.size(); ++n)
+    context.attempt(source.physics[n], [&] {
+      auto& member = setup.physics[n];
+      call_plugin(member.type, "declare()", [&] { member.plugin->declare(setup.scene, member.passes); });
+    });
+  for (const auto& member : setup.physics)
+    for (const auto& [name, value] : member.passes.constants()) setup.scene.constants[name] = value;
+}
+
+void limit_step(SetupContext& context) {
+  Setup& setup = context.setup;
+  const Case& source = setup.source;
+  for (std::size_t n = 0; n < setup.physics.size(); ++n)
+    context.attempt(source.physics[n], [&] { add_step_limits(setup.physics[n], setup, setup.limits); });
 }
 
 InitialState initial_state(const Setup::InitialMember& member, const Setup& setup) {

@@ -1,0 +1,48 @@
+#pragma once
+
+#include "case/resolved.hpp"
+#include "mesogen/diagnostics/error.hpp"
+#include "run/setup.hpp"
+
+namespace mesogen {
+
+/// A case while it is set up: what the stages below share.
+struct SetupContext {
+  Setup& setup;
+  const PluginRegistry& registry;
+  Problems& problems;
+  const SetupAdditions& additions;
+  ResolvedCase resolved;
+  bool refused = false;          ///< a plugin that the case needs
+  bool initial_missing = false;  ///< a section is called after no plugin: what it was to set is not asked for as well
+
+  /// What a plugin finds wrong by itself is one problem among the others.
+  template <class Action>
+  void attempt(const PluginChoice& choice, Action&& action) {
+    try {
+      action();
+    } catch (const BadParameter& error) {
+      problems.add(choice.section.place_of(error.key()), choice.section.full_key(error.key()), error.what());
+    } catch (const Error& error) {
+      refused = refused || error.code() == ExitCode::plugin_refused;
+      problems.add(choice.section.place(), choice.section.path(), error.what());
+    }
+  }
+};
+
+// The stages, in the order in which they are gone through. Each leaves its problems in the context.
+
+// setup_plugins.cpp: the plugins of the case, with their parameters.
+void make_plugins(SetupContext& context);
+void choose_kernel(SetupContext& context);
+
+// setup_scene.cpp: the scene, as plugins see it and add to it.
+void describe_scene(SetupContext& context);
+void declare_physics(SetupContext& context);
+void limit_step(SetupContext& context);
+
+// setup_fields.cpp: the fields that there are, and those that are stored.
+void collect_fields(SetupContext& context);
+void choose_output(SetupContext& context);
+
+}  // namespace mesogen
