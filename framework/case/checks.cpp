@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include "particles/arrangement.hpp"
+#include "case/arrangement.hpp"
 
 namespace mesogen {
 

@@ -5,6 +5,8 @@
 #include <cstdlib>
 #include <optional>
 
+#include "text/rounded_text.hpp"
+
 namespace mesogen {
 
 namespace {
@@ -103,5 +105,7 @@ std::string Units::text(std::string_view declared) const {
   const auto exponents = Reader(declared).read();
   return exponents ? written(*exponents, *this) : std::string(declared);
 }
+
+std::string Units::time_text(double seconds) const { return rounded_text(seconds) + " " + time; }
 
 }  // namespace mesogen

@@ -19,6 +19,8 @@ struct Units {
   /// and where it has other words ("rad", "particle spacings"), it is left as it is. A list, "m, m/s, 1", is taken
   /// apart.
   [[nodiscard]] MESOGEN_EXPORT std::string text(std::string_view declared) const;
+  /// A time for a message: "2.5 s".
+  [[nodiscard]] MESOGEN_EXPORT std::string time_text(double seconds) const;
   /// Are these m, s and N?
   [[nodiscard]] bool si() const { return length == "m" && time == "s" && force == "N"; }
 };

@@ -4,8 +4,8 @@
 #include <set>
 #include <string>
 
+#include "case/arrangement.hpp"
 #include "forecast/advice_rules.hpp"
-#include "particles/arrangement.hpp"
 #include "plugin/plugin_call.hpp"
 
 namespace mesogen {

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "case/arrangement.hpp"
 #include "mesogen/diagnostics/error.hpp"
-#include "particles/arrangement.hpp"
 
 namespace mesogen {
 

@@ -11,7 +11,7 @@
 #include <string_view>
 
 #include "mesogen/diagnostics/error.hpp"
-#include "text/call_text.hpp"
+#include "plugin/call_text.hpp"
 
 // A sanitizer that reports signals itself keeps them; any sanitizer may end the process.
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)

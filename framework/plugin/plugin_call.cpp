@@ -2,7 +2,7 @@
 
 #include <new>
 
-#include "text/call_text.hpp"
+#include "plugin/call_text.hpp"
 
 namespace mesogen {
 

@@ -11,7 +11,6 @@
 #include "run/branch_rules.hpp"
 #include "run/run_session.hpp"
 #include "run/run_trace.hpp"
-#include "text/rounded_text.hpp"
 
 namespace mesogen {
 
@@ -124,8 +123,8 @@ ExitCode branch_run(const PluginRegistry& registry, const BranchPoint& from, con
   const Checkpoint first = first_checkpoint(*before, *after, from, changes, std::move(found));
   const RunLock lock = start_run_folder(options.folder, after->resolved_text, options.overwrite, &first);
   log.info(fmt::format("branching from {} at t = {}, step {}, to t = {}", name,
-                       time_text(first.time, after->source.units), first.step,
-                       time_text(after->source.time.end, after->source.units)));
+                       after->source.units.time_text(first.time), first.step,
+                       after->source.units.time_text(after->source.time.end)));
   return continue_session(*after, first, options, log, progress);
 }
 

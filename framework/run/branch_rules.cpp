@@ -128,7 +128,7 @@ void check_branched_setup(const Setup& before, const Setup& after, const Checkpo
     problems.add(source.place("time.end"), "time.end",
                  fmt::format("must be later than the branch, t = {}, but is {}: say how long it is to go on, such as "
                              "--set time.end={}",
-                             time_text(checkpoint.time, source.units), time_text(source.time.end, source.units),
+                             source.units.time_text(checkpoint.time), source.units.time_text(source.time.end),
                              rounded_text(2.0 * checkpoint.time)));
 }
 

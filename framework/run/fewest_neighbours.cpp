@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "particles/arrangement.hpp"
+#include "case/arrangement.hpp"
 #include "text/rounded_text.hpp"
 
 namespace mesogen {

@@ -29,7 +29,7 @@ std::string finished_text(const std::filesystem::path& folder, double time, cons
   return fmt::format(
       "this run is finished, at t = {}, and left as it is. `mesogen resume {} --set time.end={}` extends "
       "it; `mesogen branch {} NEW` starts a new run from its checkpoints",
-      time_text(time, units), folder.string(), rounded_text(2.0 * time), folder.string());
+      units.time_text(time), folder.string(), rounded_text(2.0 * time), folder.string());
 }
 
 }  // namespace
@@ -61,15 +61,15 @@ ExitCode resume_run(const PluginRegistry& registry, const RunOptions& options, c
   if (off_course(checkpoint, end))
     checkpoint = read_newest_checkpoint(options.folder, &which, nullptr, [&](const Checkpoint& read) -> std::string {
       if (const std::string fault = unfit(read, setup->resolved_text); !fault.empty()) return fault;
-      return off_course(read, end) ? "its last steps were shortened to end at t = " +
-                                         time_text(*read.shortened_for, setup->source.units) +
-                                         ", so it is no state of a longer run; `mesogen branch` can start from it"
-                                   : std::string();
+      return off_course(read, end)
+                 ? "its last steps were shortened to end at t = " + setup->source.units.time_text(*read.shortened_for) +
+                       ", so it is no state of a longer run; `mesogen branch` can start from it"
+                 : std::string();
     });
   if (checkpoint.time < end) {
     log.info(fmt::format("resuming from {} at t = {}, step {}, to t = {}", which,
-                         time_text(checkpoint.time, setup->source.units), checkpoint.step,
-                         time_text(end, setup->source.units)));
+                         setup->source.units.time_text(checkpoint.time), checkpoint.step,
+                         setup->source.units.time_text(end)));
     if (checkpoint.instruction_sets != setup->instruction_sets)
       log.warn(
           fmt::format("the run goes on, but not to the same bits: {} was written by code for other instruction sets "

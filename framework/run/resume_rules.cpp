@@ -8,7 +8,6 @@
 #include "case/toml_reader.hpp"
 #include "case/toml_text.hpp"
 #include "case/value.hpp"
-#include "text/rounded_text.hpp"
 
 namespace mesogen {
 
@@ -65,13 +64,13 @@ void check_resumed_values(const Case& before, const Case& after, const Arrival& 
   if (after.time.end <= now.reaches() && after.time.end != before.time.end)
     problems.add(place, "time.end",
                  fmt::format("must be later than t = {}, since the run has come that far, but is {}",
-                             time_text(now.time, after.units), time_text(after.time.end, after.units)));
+                             after.units.time_text(now.time), after.units.time_text(after.time.end)));
   const auto& times = after.output.checkpoint_times;
   if (until(times, now.reaches()) != until(before.output.checkpoint_times, now.reaches()))
     problems.add(place, "output.checkpoint_times",
                  fmt::format("must stay as it was up to t = {}, where the run is now: [{}], and may name other times "
                              "only after that",
-                             time_text(now.time, after.units),
+                             after.units.time_text(now.time),
                              fmt::join(until(before.output.checkpoint_times, now.reaches()), ", ")));
 }
 

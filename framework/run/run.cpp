@@ -145,7 +145,7 @@ class Run {
     crash_.advise(
         fmt::format("the checkpoint of step {}, t = {} is kept: once the plugin is mended, `mesogen resume "
                     "{}` goes on from there",
-                    checkpoint.step, time_text(checkpoint.time, setup_.source.units), options_.folder.string()));
+                    checkpoint.step, setup_.source.units.time_text(checkpoint.time), options_.folder.string()));
   }
 
   void write_checkpoint(ResultsWriter& results) {

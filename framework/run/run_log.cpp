@@ -14,7 +14,7 @@ void log_beginning(Log& log, const Setup& setup, const Stepper::Step& first) {
       setup.scene.precision == Precision::single_precision ? "single precision" : "double precision";
   const int threads = omp_get_max_threads();
   log.info(fmt::format("{} particles, {} thread{}, {}, first step {} (limit: {})", setup.scene.particle_count, threads,
-                       threads == 1 ? "" : "s", precision, time_text(first.seconds, setup.source.units), first.limit));
+                       threads == 1 ? "" : "s", precision, setup.source.units.time_text(first.seconds), first.limit));
   if (const std::string fitted = fitted_spacing_text(setup.source); !fitted.empty())
     log.info("particles.spacing is " + rounded_text(setup.scene.spacing) + " " + setup.source.units.length + ": " +
              fitted);

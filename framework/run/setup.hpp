@@ -5,12 +5,12 @@
 #include <string>
 #include <vector>
 
+#include "case/arrangement.hpp"
 #include "case/case.hpp"
 #include "exec/backend.hpp"
 #include "mesogen/export.hpp"
 #include "mesogen/plugin/scene.hpp"
 #include "mesogen/sph/kernel_function.hpp"
-#include "particles/arrangement.hpp"
 #include "plugin/registry.hpp"
 #include "schedule/catalogue.hpp"
 #include "schedule/step_graph.hpp"

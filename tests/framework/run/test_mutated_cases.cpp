@@ -7,8 +7,8 @@
 #include <map>
 #include <sstream>
 
+#include "case/arrangement.hpp"
 #include "mutator.hpp"
-#include "particles/arrangement.hpp"
 #include "run/setup.hpp"
 #include "test_plugins.hpp"
 

@@ -1,4 +1,4 @@
-#include "particles/arrangement.hpp"
+#include "case/arrangement.hpp"
 
 #include <gtest/gtest.h>
 
