@@ -13,14 +13,15 @@ namespace mesogen {
 
 namespace {
 
-Particles initial_particles(const Arrangement& arrangement, int dimension, exec::Memory& memory) {
+Particles initial_particles(const Arrangement& arrangement, int dimension, exec::DeviceMemory* memory) {
   Particles particles(memory);
   particles.dimension = dimension;
-  particles.id.resize(static_cast<std::size_t>(arrangement.count));
-  std::iota(particles.id.begin(), particles.id.end(), 0);
+  particles.id.resize_for_overwrite(static_cast<std::size_t>(arrangement.count));
+  const auto id = particles.id.host(exec::Access::write);
+  std::iota(id.begin(), id.end(), 0);
   for (int d = 0; d < dimension; ++d) {
-    particles.position[d].assign(arrangement.position[d].begin(), arrangement.position[d].end());
-    particles.images[d].assign(particles.id.size(), 0);
+    particles.position[d].assign(arrangement.position[d]);
+    particles.images[d].resize(id.size());
   }
   return particles;
 }
@@ -167,8 +168,10 @@ void Stepper::keep_order() {
 
 void Stepper::save(Checkpoint& checkpoint) {
   state_.return_to_order();
-  state_.backend.finish();
-  const auto list = [](const auto& values) { return std::vector(values.begin(), values.end()); };
+  const auto list = [](const auto& array) {
+    const auto values = array.host();
+    return std::vector(values.begin(), values.end());
+  };
   checkpoint.step = state_.step;
   checkpoint.time = state_.time;
   checkpoint.step_size = state_.step_size;
@@ -179,15 +182,16 @@ void Stepper::save(Checkpoint& checkpoint) {
     const std::string axis = std::to_string(d);
     checkpoint.numbers["position " + axis] = list(state_.particles.position[d]);
     checkpoint.numbers["sorted position " + axis] = list(state_.neighbourhood.sorted_position()[d]);
-    const auto& images = state_.particles.images[d];
+    const auto images = state_.particles.images[d].host();
     checkpoint.integers["images " + axis].assign(images.begin(), images.end());
   }
   for (const std::string& name : checkpointed_fields(setup_)) {
     const Field& field = state_.fields.at(name);
+    const FieldReader value = field.reader();
     for (int c = 0; c < field.components(); ++c) {
       auto& values = checkpoint.numbers["field " + name + " " + std::to_string(c)];
       values.resize(state_.particles.id.size());
-      for (Index i = 0; i < state_.particles.count(); ++i) values[static_cast<std::size_t>(i)] = field.value(c, i);
+      for (Index i = 0; i < state_.particles.count(); ++i) values[static_cast<std::size_t>(i)] = value(c, i);
     }
   }
   // The next step goes by it. What it was found in is not always saved: a rate is, if its field is predicted by it.
@@ -212,15 +216,13 @@ void Stepper::restore(const Checkpoint& checkpoint) {
   const auto take = [&](const auto& map, const std::string& name) -> const auto& {
     return take_of(map, name, state_.particles.id.size(), "particles");
   };
-  const auto put = [](const auto& values, auto& to) { to.assign(values.begin(), values.end()); };
   state_.return_to_order();
-  state_.backend.finish();
   state_.step = whole_.runs = checkpoint.step;
   state_.time = checkpoint.time;
   state_.step_size = checkpoint.step_size;
-  put(take(checkpoint.integers, "id"), state_.particles.id);
+  state_.particles.id.assign(take(checkpoint.integers, "id"));
   std::vector<bool> seen(state_.particles.id.size(), false);
-  for (const std::int64_t id : state_.particles.id) {
+  for (const std::int64_t id : state_.particles.id.host()) {
     if (id < 0 || id >= state_.particles.count() || seen[static_cast<std::size_t>(id)])
       throw Error(ExitCode::bad_case, "the checkpoint names particle " + std::to_string(id) +
                                           " twice, or it is none of this case: it belongs to another one");
@@ -231,11 +233,11 @@ void Stepper::restore(const Checkpoint& checkpoint) {
   std::array<std::vector<double>, 3> sorted;
   for (int d = 0; d < state_.scene.dimension; ++d) {
     const std::string axis = std::to_string(d);
-    put(take(checkpoint.numbers, "position " + axis), state_.particles.position[d]);
+    state_.particles.position[d].assign(take(checkpoint.numbers, "position " + axis));
     if (sorted_alike) sorted[d] = take(checkpoint.numbers, "sorted position " + axis);
     const auto& images = take(checkpoint.integers, "images " + axis);
-    for (std::size_t i = 0; i < images.size(); ++i)
-      state_.particles.images[d][i] = static_cast<std::int32_t>(images[i]);
+    const auto to = state_.particles.images[d].host(exec::Access::write);
+    for (std::size_t i = 0; i < images.size(); ++i) to[i] = static_cast<std::int32_t>(images[i]);
   }
   for (const std::string& name : checkpointed_fields(setup_)) {
     Field& field = state_.fields.at(name);

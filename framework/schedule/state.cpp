@@ -49,9 +49,11 @@ void State::settle_for_reader() {
   if (!neighbourhood.update_without_sorting(particles)) {
     if (!kept_order_ && neighbourhood.sorted()) keep_order();
     const exec::Array<Index>& order = *neighbourhood.update(particles);
-    if (kept_order_)
-      for (std::size_t n = 0; n < order.size(); ++n)
-        kept_order_->way_back[static_cast<std::size_t>(order[n])] = static_cast<Index>(n);
+    if (kept_order_) {
+      const auto from = order.host();
+      const auto way_back = kept_order_->way_back.host(exec::Access::write);
+      for (std::size_t n = 0; n < from.size(); ++n) way_back[static_cast<std::size_t>(from[n])] = static_cast<Index>(n);
+    }
     permute_fields(order);
   }
   moved_ = false;
@@ -59,10 +61,10 @@ void State::settle_for_reader() {
 }
 
 void State::keep_order() {
-  backend.finish();
-  kept_order_.emplace(Order{particles, {}, exec::Array<Index>(particles.id.size(), backend.memory())});
+  kept_order_.emplace(Order{particles, {}, exec::Array<Index>(backend.memory())});
+  kept_order_->way_back.resize_for_overwrite(particles.id.size());
   for (int d = 0; d < scene.dimension; ++d) {
-    const auto& sorted = neighbourhood.sorted_position()[d];
+    const auto sorted = neighbourhood.sorted_position()[d].host();
     kept_order_->sorted_position[d].assign(sorted.begin(), sorted.end());
   }
 }
@@ -70,7 +72,6 @@ void State::keep_order() {
 void State::return_to_order() {
   if (!kept_order_) return;
   const Span span(sorting_, trace);
-  backend.finish();
   particles = kept_order_->particles;
   neighbourhood.restore(kept_order_->sorted_position);
   permute_fields(kept_order_->way_back);

@@ -22,7 +22,7 @@ namespace mesogen {
 /// The state of a run: where the particles are, what they carry, and when it is.
 class MESOGEN_EXPORT State {
  public:
-  /// On a device the particles lie in the backend's memory.
+  /// The arrays of the particles are made with the backend's memory.
   State(Scene scene, sph::SmoothingKernel kernel, const Boundary& boundary, Particles particles,
         const Backend& backend = Backend::host());
   State(const State&) = delete;
