@@ -5,8 +5,8 @@
 #include <set>
 #include <tuple>
 
+#include "backend/cuda_library.hpp"
 #include "contract_run.hpp"
-#include "exec/cuda_library.hpp"
 
 namespace mesogen::testing {
 

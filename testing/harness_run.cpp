@@ -59,14 +59,12 @@ void HarnessRun::seed(std::int64_t seed) {
 }
 
 void HarnessRun::fill(const std::string& name, const FieldValue& value) {
-  state().backend.finish();
   Field& field = state().fields.at(name);
   const auto x = StateView(state()).position(0);
   const auto y = StateView(state()).position(1);
+  const auto id = state().particles.id.host();
   for (int c = 0; c < field.components(); ++c)
-    for (Index i = 0; i < state().particles.count(); ++i)
-      field.set(c, i,
-                value(c, state().particles.id[i], x[static_cast<std::size_t>(i)], y[static_cast<std::size_t>(i)]));
+    for (std::size_t i = 0; i < id.size(); ++i) field.set(c, static_cast<Index>(i), value(c, id[i], x[i], y[i]));
   ++field.version;
 }
 
@@ -121,7 +119,7 @@ std::map<std::string, std::vector<double>, std::less<>> HarnessRun::sample(std::
   const auto& member = setup_->observers.front();
   // Fields are up to date before particles are stored anew, so nothing is computed in the wrong order.
   stepper_.executor().prepare(member.fields);
-  exec::Array<Index> order(state().particles.id.size(), state().backend.memory());
+  std::vector<Index> order(state().particles.id.size());
   std::iota(order.begin(), order.end(), 0);
   if (shuffled_by)
     for (std::size_t n = order.size(); n > 1; --n)
@@ -129,7 +127,7 @@ std::map<std::string, std::vector<double>, std::less<>> HarnessRun::sample(std::
                 order[static_cast<std::size_t>(exec::random_bits(*shuffled_by, static_cast<int>(n), 0) % n)]);
   permute(order);
   const auto values = observation_.sample(0).values();
-  exec::Array<Index> back(order.size(), state().backend.memory());
+  std::vector<Index> back(order.size());
   for (std::size_t n = 0; n < order.size(); ++n) back[static_cast<std::size_t>(order[n])] = static_cast<Index>(n);
   permute(back);
 
@@ -152,11 +150,11 @@ std::map<std::string, std::vector<double>, std::less<>> HarnessRun::sample(std::
   return values;
 }
 
-void HarnessRun::permute(const exec::Array<Index>& order) {
-  const auto reorder = [&](auto& values) {
-    auto moved = values;
-    for (std::size_t n = 0; n < order.size(); ++n) moved[n] = values[static_cast<std::size_t>(order[n])];
-    values.swap(moved);
+void HarnessRun::permute(const std::vector<Index>& order) {
+  const auto reorder = [&](auto& array) {
+    const auto values = array.host(exec::Access::read_write);
+    const std::vector before(values.begin(), values.end());
+    for (std::size_t n = 0; n < order.size(); ++n) values[n] = before[static_cast<std::size_t>(order[n])];
   };
   Particles& particles = state().particles;
   reorder(particles.id);
@@ -164,13 +162,15 @@ void HarnessRun::permute(const exec::Array<Index>& order) {
     reorder(particles.position[d]);
     reorder(particles.images[d]);
   }
-  Field::Scratch scratch(state().backend.memory());
-  for (const auto& [name, field] : state().fields.all()) field->permute(order, scratch);
-  state().backend.finish();
+  exec::DeviceMemory* const memory = state().backend.memory();
+  exec::Array<Index> from(memory);
+  from.assign(order);
+  Field::Scratch scratch(memory);
+  for (const auto& [name, field] : state().fields.all()) field->permute(from, scratch);
 }
 
 std::vector<double> HarnessRun::by_id(const std::vector<double>& stored) {
-  const auto& id = state().particles.id;
+  const auto id = state().particles.id.host();
   std::vector<double> values(stored.size());
   for (std::size_t i = 0; i < stored.size(); ++i) values[static_cast<std::size_t>(id[i])] = stored[i];
   return values;
@@ -193,9 +193,11 @@ void HarnessRun::move(const std::function<double(double, double)>& x, const std:
   Particles& particles = state().particles;
   const auto at_x = StateView(state()).position(0);
   const auto at_y = StateView(state()).position(1);
+  const auto to_x = particles.position[0].host(exec::Access::read_write);
+  const auto to_y = particles.position[1].host(exec::Access::read_write);
   for (std::size_t i = 0; i < at_x.size(); ++i) {
-    particles.position[0][i] += x(at_x[i], at_y[i]);
-    particles.position[1][i] += y(at_x[i], at_y[i]);
+    to_x[i] += x(at_x[i], at_y[i]);
+    to_y[i] += y(at_x[i], at_y[i]);
   }
   touched = true;
   state().order.mark_moved();

@@ -45,7 +45,7 @@ class HarnessRun {
   void fill(const std::string& field, const FieldValue& value);
   /// Fields that start with random numbers unless the test gives them.
   [[nodiscard]] std::set<std::string> seeded_fields() const;
-  void permute(const exec::Array<Index>& order);
+  void permute(const std::vector<Index>& order);
 
   std::unique_ptr<Setup> setup_;
   Stepper stepper_;

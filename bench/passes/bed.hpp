@@ -51,7 +51,7 @@ class Bed {
     stepper_ = std::make_unique<Stepper>(*setup_);
     State& state = stepper_->state();
     state.order.settle();
-    state.neighbourhood.fill(neighbours);
+    state.neighbourhood.fill(neighbours, exec::Side::host);
     const FieldView<Real> even = field(1);
     std::fill_n(even.base, count(), Real(setup_->scene.spacing * setup_->scene.spacing));
     volume = {even.base, even.stride};

@@ -36,7 +36,7 @@ class Counted {
     const double* axes[3] = {position[0].data(), position[1].data(), position[2].data()};
     const Images images = images_of(scene_, *setup.boundary);
     ghosts_ = count_ghosts(scene_, images, axes, scene_.particle_count, reach_);
-    walls_ = WallSet(scene_, *setup.boundary, grid_, images, reach_, exec::Memory::host()).count();
+    walls_ = WallSet(scene_, *setup.boundary, grid_, images, reach_, nullptr).count();
   }
 
   [[nodiscard]] double positions() const {

@@ -64,6 +64,7 @@ class Rehearsal {
       const double now = stepper_->state().time;
       stepper_->advance(stepper_->next_step(std::min(end(), now + longest_)), due);
       observe(due);
+      stepper_->state().backend.finish();
     });
   }
 
@@ -78,7 +79,10 @@ class Rehearsal {
   }
 
   double sorting() {
-    return seconds([&] { stepper_->state().order.sort_anew(); });
+    return seconds([&] {
+      stepper_->state().order.sort_anew();
+      stepper_->state().backend.finish();
+    });
   }
 
   /// Making the bytes of a checkpoint; s.

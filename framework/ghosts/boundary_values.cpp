@@ -1,5 +1,6 @@
 #include "ghosts/boundary_values.hpp"
 
+#include "ghosts/ghost_loops.hpp"
 #include "sph/mirror_values.hpp"
 
 namespace mesogen {
@@ -20,7 +21,6 @@ void BoundaryValues::refresh(Field& field) {
   const bool single = scene_.precision == Precision::single_precision;
   single ? refresh_ghosts<float>(field) : refresh_ghosts<double>(field);
   if (neighbourhood_.walls().count() > 0) {
-    clock_.backend.finish();
     if (scene_.dimension == 2) {
       single ? refresh_walls<float, 2>(field) : refresh_walls<double, 2>(field);
     } else {
@@ -54,23 +54,27 @@ BoundaryValues::Rules BoundaryValues::ask(const FieldKind& field) const {
 
 template <class Real>
 void BoundaryValues::refresh_ghosts(Field& field) {
-  const GhostView ghosts = neighbourhood_.ghost_view();
-  if (ghosts.count == 0) return;
-  clock_.backend.loops<Real>().refresh(ghosts, rules_of(field).ghosts.view(), field.view<Real>(), field.components());
+  if (neighbourhood_.ghosts().count() == 0) return;
+  constexpr auto device = exec::Side::device;
+  clock_.backend.ghosts().refresh(neighbourhood_.ghost_view(device), rules_of(field).ghosts.view(device),
+                            field.view<Real>(device, exec::Access::read_write), field.components());
 }
 
+// On the host, wherever the rest is.
 template <class Real, int Dim>
 void BoundaryValues::refresh_walls(Field& field) {
+  constexpr auto host = exec::Side::host;
   const sph::MirrorPoints<Dim> points = neighbourhood_.mirrors<Dim>();
   if (weights_version_ != neighbourhood_.version()) {
     Neighbours<Real, Dim> neighbours{};
-    neighbourhood_.fill(neighbours);
+    neighbourhood_.fill(neighbours, host);
     weights_.resize(static_cast<std::size_t>(points.block_begin[points.count]) * NeighbourBlock::width<Real>);
     sph::find_mirror_weights<Real, Dim>(neighbours, points, kernel_, weights_.data());
     weights_version_ = neighbourhood_.version();
   }
-  sph::refresh_walls<Real, Dim>(points, weights_.data(), rules_of(field).walls.view(), field.view<Real>(),
-                                field.components(), neighbourhood_.wall_view().first);
+  sph::refresh_walls<Real, Dim>(points, weights_.data(), rules_of(field).walls.view(host),
+                                field.view<Real>(host, exec::Access::read_write), field.components(),
+                                neighbourhood_.wall_view(host).first);
 }
 
 }  // namespace mesogen

@@ -1,19 +1,24 @@
 #include "ghosts/ghosts.hpp"
 
+#include "neighbours/cell_loops.hpp"
+
 namespace mesogen {
 
-Ghosts::Arrays::Arrays(exec::Memory& memory)
-    : source(memory), image(memory), cell(memory), offset(exec::three<double>(memory)) {}
+Ghosts::Arrays::Arrays(exec::DeviceMemory* memory)
+    : source(memory), image(memory), cell(memory), offset(exec::axis_arrays<double>(memory)) {}
 
 void Ghosts::Arrays::resize(std::size_t count, int dimension) {
-  source.resize(count);
-  image.resize(count);
-  cell.resize(count);
-  for (int d = 0; d < dimension; ++d) offset[d].resize(count);
+  source.resize_for_overwrite(count);
+  image.resize_for_overwrite(count);
+  cell.resize_for_overwrite(count);
+  for (int d = 0; d < dimension; ++d) offset[d].resize_for_overwrite(count);
 }
 
-exec::GhostArrays Ghosts::Arrays::pointers() {
-  return {source.data(), image.data(), cell.data(), {offset[0].data(), offset[1].data(), offset[2].data()}};
+exec::GhostArrays Ghosts::Arrays::pointers(exec::Access access) {
+  return {source.device(access),
+          image.device(access),
+          cell.device(access),
+          {offset[0].device(access), offset[1].device(access), offset[2].device(access)}};
 }
 
 Ghosts::Ghosts(const Images& images, const Backend& backend)
@@ -21,40 +26,41 @@ Ghosts::Ghosts(const Images& images, const Backend& backend)
       backend_(backend),
       listed_(backend.memory()),
       ordered_(backend.memory()),
-      origin_(exec::three<double>(backend.memory())),
+      origin_(exec::axis_arrays<double>(backend.memory())),
       begin_(backend.memory()),
       number_(backend.memory()),
       order_(backend.memory()) {}
 
-void Ghosts::build(const Scene& scene, const CellGrid& grid, const std::array<exec::Array<double>, 3>& position,
-                   double reach) {
+void Ghosts::build(const Scene& scene, const CellGrid& grid, const exec::AxisArrays<double>& position, double reach) {
   if (images_.count == 0) return;
-  const double* const at[3] = {position[0].data(), position[1].data(), position[2].data()};
-  const ImageSearch search = image_search(scene, images_, at, reach);
-  const exec::CellLoops& loops = backend_.cells();
+  using exec::Access;
+  const auto at = exec::pointers(position, exec::Side::device);
+  const ImageSearch search = image_search(scene, images_, at.data(), reach);
+  const exec::GhostLoops& loops = backend_.ghosts();
   const auto particles = static_cast<Index>(position[0].size());
-  backend_.finish();
-  begin_.resize(position[0].size() + 1);
-  loops.count_ghosts(search, particles, begin_.data());
-  const Index count = loops.running_sums(begin_.data(), particles);
-  backend_.finish();
+  begin_.resize_for_overwrite(position[0].size() + 1);
+  loops.count(search, particles, begin_.device(Access::write));
+  const Index count = backend_.cells().running_sums(begin_.device(Access::read_write), particles);
   const auto room = static_cast<std::size_t>(count);
   listed_.resize(room, scene.dimension);
   ordered_.resize(room, scene.dimension);
-  for (int d = 0; d < scene.dimension; ++d) origin_[d].resize(room);
-  number_.resize(room);
-  order_.resize(room);
-  loops.list_ghosts(search, grid, particles, begin_.data(), listed_.pointers(), number_.data());
-  loops.order(listed_.cell.data(), number_.data(), count, grid.padded_count(), order_.data());
-  loops.order_ghosts(grid, listed_.pointers(), order_.data(), count, ordered_.pointers(),
-                     {origin_[0].data(), origin_[1].data(), origin_[2].data()});
+  for (int d = 0; d < scene.dimension; ++d) origin_[d].resize_for_overwrite(room);
+  number_.resize_for_overwrite(room);
+  order_.resize_for_overwrite(room);
+  loops.list(search, grid, particles, begin_.device(), listed_.pointers(Access::write), number_.device(Access::write));
+  backend_.cells().order(listed_.cell.device(), number_.device(), count, grid.padded_count(),
+                         order_.device(Access::write));
+  std::array<double*, 3> origin{};
+  for (std::size_t d = 0; d < 3; ++d) origin[d] = origin_[d].device(Access::write);
+  loops.order(grid, listed_.pointers(Access::read_write), order_.device(), count, ordered_.pointers(Access::write),
+              origin);
 }
 
-GhostView Ghosts::view(Index first) const {
-  GhostView view{first, count(), ordered_.source.data(), ordered_.image.data(), {}, {}};
+GhostView Ghosts::view(Index first, exec::Side side) const {
+  GhostView view{first, count(), ordered_.source.on(side), ordered_.image.on(side), {}, {}};
   for (int d = 0; d < 3; ++d) {
-    view.offset[d] = ordered_.offset[d].data();
-    view.origin[d] = origin_[d].data();
+    view.offset[d] = ordered_.offset[d].on(side);
+    view.origin[d] = origin_[d].on(side);
   }
   return view;
 }

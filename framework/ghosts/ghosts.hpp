@@ -3,8 +3,9 @@
 #include <array>
 #include <cstdint>
 
+#include "exec/array.hpp"
 #include "exec/backend.hpp"
-#include "exec/memory.hpp"
+#include "ghosts/ghost_loops.hpp"
 #include "ghosts/images.hpp"
 #include "mesogen/export.hpp"
 #include "neighbours/cell_grid.hpp"
@@ -18,36 +19,35 @@ class MESOGEN_EXPORT Ghosts {
   Ghosts(const Images& images, const Backend& backend);
 
   /// Makes the ghosts of particles that are sorted and stand at `position`, as far as `reach` (m) beyond the faces.
-  void build(const Scene& scene, const CellGrid& grid, const std::array<exec::Array<double>, 3>& position,
-             double reach);
+  void build(const Scene& scene, const CellGrid& grid, const exec::AxisArrays<double>& position, double reach);
 
   [[nodiscard]] Index count() const { return static_cast<Index>(ordered_.source.size()); }
   [[nodiscard]] const Images& images() const { return images_; }
-  [[nodiscard]] const exec::Array<Index>& source() const { return ordered_.source; }
   /// Padded index of each one's cell, in ascending order.
   [[nodiscard]] const exec::Array<Index>& cell() const { return ordered_.cell; }
   /// `first`: the place of the first in storage.
-  [[nodiscard]] GhostView view(Index first) const;
+  [[nodiscard]] GhostView view(Index first, exec::Side side) const;
 
  private:
   struct Arrays {
-    explicit Arrays(exec::Memory& memory);
+    explicit Arrays(exec::DeviceMemory* memory);
     void resize(std::size_t count, int dimension);
-    [[nodiscard]] exec::GhostArrays pointers();
+    /// On the device, to write.
+    [[nodiscard]] exec::GhostArrays pointers(exec::Access access);
 
     exec::Array<Index> source;
     exec::Array<std::uint8_t> image;
     exec::Array<Index> cell;
-    std::array<exec::Array<double>, 3> offset;
+    exec::AxisArrays<double> offset;
   };
 
   Images images_;
   const Backend& backend_;
   Arrays listed_;
   Arrays ordered_;
-  std::array<exec::Array<double>, 3> origin_;  // of the tiles of those in order
-  exec::Array<Index> begin_;                   // by particle, one more at the end
-  exec::Array<std::int64_t> number_;           // by ghost, as they are listed
+  exec::AxisArrays<double> origin_;   // of the tiles of those in order
+  exec::Array<Index> begin_;          // by particle, one more at the end
+  exec::Array<std::int64_t> number_;  // by ghost, as they are listed
   exec::Array<Index> order_;
 };
 

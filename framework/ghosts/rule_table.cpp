@@ -19,7 +19,7 @@ bool all_entries(const std::vector<AffineRule>& rules, const Test& test) {
 
 }  // namespace
 
-RuleTable::RuleTable(const std::vector<AffineRule>& rules, exec::Memory& memory) : numbers_(memory) {
+RuleTable::RuleTable(const std::vector<AffineRule>& rules, exec::DeviceMemory* memory) : numbers_(memory) {
   if (rules.empty()) return;
   components_ = rules.front().components();
   const bool same = all_entries(rules, [](const AffineRule& rule, int r, int c) {
@@ -28,13 +28,15 @@ RuleTable::RuleTable(const std::vector<AffineRule>& rules, exec::Memory& memory)
   if (same) return;
   diagonal_ =
       all_entries(rules, [](const AffineRule& rule, int r, int c) { return r == c || rule.matrix(r, c) == 0.0; });
-  numbers_.reserve(rules.size() * static_cast<std::size_t>(RuleView::size(components_, diagonal_)));
+  std::vector<double> numbers;
+  numbers.reserve(rules.size() * static_cast<std::size_t>(RuleView::size(components_, diagonal_)));
   for (const AffineRule& rule : rules) {
     for (int r = 0; r < components_; ++r)
       for (int c = 0; c < components_; ++c)
-        if (r == c || !diagonal_) numbers_.push_back(rule.matrix(r, c));
-    for (int c = 0; c < components_; ++c) numbers_.push_back(rule.summand(c));
+        if (r == c || !diagonal_) numbers.push_back(rule.matrix(r, c));
+    for (int c = 0; c < components_; ++c) numbers.push_back(rule.summand(c));
   }
+  numbers_.assign(numbers);
 }
 
 }  // namespace mesogen

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "exec/memory.hpp"
+#include "exec/array.hpp"
 #include "ghosts/views.hpp"
 #include "mesogen/export.hpp"
 
@@ -12,9 +12,11 @@ namespace mesogen {
 /// component where none mixes components.
 class MESOGEN_EXPORT RuleTable {
  public:
-  RuleTable(const std::vector<AffineRule>& rules, exec::Memory& memory);
+  RuleTable(const std::vector<AffineRule>& rules, exec::DeviceMemory* memory);
 
-  [[nodiscard]] RuleView view() const { return {components_, diagonal_, numbers_.empty() ? nullptr : numbers_.data()}; }
+  [[nodiscard]] RuleView view(exec::Side side) const {
+    return {components_, diagonal_, numbers_.empty() ? nullptr : numbers_.on(side)};
+  }
 
  private:
   int components_ = 0;

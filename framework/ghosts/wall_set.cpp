@@ -8,9 +8,9 @@
 namespace mesogen {
 
 WallSet::WallSet(const Scene& scene, const Boundary& boundary, const CellGrid& grid, const Images& images, double reach,
-                 exec::Memory& memory)
-    : position_(exec::three<double>(memory)),
-      origin_(exec::three<double>(memory)),
+                 exec::DeviceMemory* memory)
+    : position_(exec::axis_arrays<double>(memory)),
+      origin_(exec::axis_arrays<double>(memory)),
       cell_begin_(memory),
       cell_end_(memory) {
   const std::vector<WallParticle> given = boundary.wall_particles(scene, reach);
@@ -54,27 +54,33 @@ void WallSet::store(const CellGrid& grid, const std::vector<std::array<double, 3
   std::ranges::stable_sort(order, {}, [&](std::size_t n) { return grid.padded_index(cell[n]); });
   const std::vector<Member> unordered = members_;
   std::vector<Index> begin(static_cast<std::size_t>(grid.padded_count()) + 1, 0);
+  std::array<std::vector<double>, 3> stored;
+  std::array<std::vector<double>, 3> origin;
   for (std::size_t n = 0; n < order.size(); ++n) {
     members_[n] = unordered[order[n]];
     const CellGrid::Cell& in = cell[order[n]];
     ++begin[static_cast<std::size_t>(grid.padded_index(in)) + 1];
     for (int d = 0; d < grid.dimension(); ++d) {
       const auto axis = static_cast<std::size_t>(d);
-      position_[axis].push_back(position[order[n]][axis]);
-      origin_[axis].push_back(grid.tile_origin(d, in[axis]));
+      stored[axis].push_back(position[order[n]][axis]);
+      origin[axis].push_back(grid.tile_origin(d, in[axis]));
     }
+  }
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    position_[axis].assign(stored[axis]);
+    origin_[axis].assign(origin[axis]);
   }
   begin.front() = first;
   std::partial_sum(begin.begin(), begin.end(), begin.begin());
-  cell_begin_.assign(begin.begin(), begin.end() - 1);
-  cell_end_.assign(begin.begin() + 1, begin.end());
+  cell_begin_.assign(std::span(begin).first(begin.size() - 1));
+  cell_end_.assign(std::span(begin).subspan(1));
 }
 
-WallView WallSet::view(Index first) const {
+WallView WallSet::view(Index first, exec::Side side) const {
   WallView view{first, count(), {}, {}};
   for (int d = 0; d < 3; ++d) {
-    view.position[d] = position_[d].data();
-    view.origin[d] = origin_[d].data();
+    view.position[d] = position_[d].on(side);
+    view.origin[d] = origin_[d].on(side);
   }
   return view;
 }

@@ -3,7 +3,7 @@
 #include <array>
 #include <vector>
 
-#include "exec/memory.hpp"
+#include "exec/array.hpp"
 #include "ghosts/views.hpp"
 #include "mesogen/export.hpp"
 #include "mesogen/plugin/boundary.hpp"
@@ -17,7 +17,7 @@ class MESOGEN_EXPORT WallSet {
  public:
   /// `reach`: how far particles of the fluid look, m.
   WallSet(const Scene& scene, const Boundary& boundary, const CellGrid& grid, const Images& images, double reach,
-          exec::Memory& memory);
+          exec::DeviceMemory* memory);
 
   static constexpr int no_image = -1;
   struct Member {
@@ -29,18 +29,18 @@ class MESOGEN_EXPORT WallSet {
   /// In the order of storage.
   [[nodiscard]] const std::vector<Member>& members() const { return members_; }
   /// `first`: the place of the first in storage.
-  [[nodiscard]] WallView view(Index first) const;
+  [[nodiscard]] WallView view(Index first, exec::Side side) const;
   /// By padded cell, as places in storage; null where there are no walls. See Neighbours.
-  [[nodiscard]] const Index* cell_begin() const { return count() == 0 ? nullptr : cell_begin_.data(); }
-  [[nodiscard]] const Index* cell_end() const { return count() == 0 ? nullptr : cell_end_.data(); }
+  [[nodiscard]] const Index* cell_begin(exec::Side side) const { return count() == 0 ? nullptr : cell_begin_.on(side); }
+  [[nodiscard]] const Index* cell_end(exec::Side side) const { return count() == 0 ? nullptr : cell_end_.on(side); }
 
  private:
   void store(const CellGrid& grid, const std::vector<std::array<double, 3>>& position,
              const std::vector<CellGrid::Cell>& cell, Index first);
 
   std::vector<Member> members_;
-  std::array<exec::Array<double>, 3> position_;
-  std::array<exec::Array<double>, 3> origin_;  // of the tiles of their cells
+  exec::AxisArrays<double> position_;
+  exec::AxisArrays<double> origin_;  // of the tiles of their cells
   exec::Array<Index> cell_begin_;
   exec::Array<Index> cell_end_;
 };

@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "exec/outside.hpp"
 #include "mesogen/exec/first_failure.hpp"
+#include "neighbours/cell_loops.hpp"
+#include "neighbours/outside.hpp"
 
 namespace mesogen {
 
@@ -13,10 +14,8 @@ namespace {
 // Pair loops read whole packs.
 constexpr std::size_t pack_tail = 16;
 
-template <class T>
-std::array<const T*, 3> places(const std::array<exec::Array<T>, 3>& arrays) {
-  return {arrays[0].data(), arrays[1].data(), arrays[2].data()};
-}
+constexpr auto device = exec::Side::device;
+using exec::Access;
 
 }  // namespace
 
@@ -26,17 +25,19 @@ Neighbourhood::Neighbourhood(const Scene& scene, const Boundary& boundary, const
       backend_(backend),
       skin_(skin_in_spacings * scene.spacing),
       grid_(scene, boundary, scene.support + skin_),
-      sorted_position_(exec::three<double>(backend.memory())),
+      sorted_position_(exec::axis_arrays<double>(backend.memory())),
       order_(backend.memory()),
       cell_of_(backend.memory()),
-      cell_begin_(static_cast<std::size_t>(grid_.padded_count()), 0, backend.memory()),
-      cell_end_(cell_begin_.size(), 0, backend.memory()),
-      blocks_wanted_(backend.on_host()),
+      cell_begin_(backend.memory()),
+      cell_end_(backend.memory()),
+      blocks_wanted_(backend.has_host_code()),
       ghosts_(images_of(scene, boundary), backend),
       walls_(scene, boundary, grid_, ghosts_.images(), scene.support + skin_, backend.memory()),
-      local_single_(exec::three<float>(backend.memory())),
-      local_double_(exec::three<double>(backend.memory())),
+      local_single_(exec::axis_arrays<float>(backend.memory())),
+      local_double_(exec::axis_arrays<double>(backend.memory())),
       scratch_(backend.memory()) {
+  cell_begin_.resize(static_cast<std::size_t>(grid_.padded_count()));
+  cell_end_.resize(static_cast<std::size_t>(grid_.padded_count()));
   place_mirrors();
 }
 
@@ -80,8 +81,7 @@ void Neighbourhood::order(Particles& particles) {
 
 void Neighbourhood::restore(const std::array<std::vector<double>, 3>& sorted_position) {
   ++version_;
-  for (int d = 0; d < scene_.dimension; ++d)
-    sorted_position_[d].assign(sorted_position[d].begin(), sorted_position[d].end());
+  for (int d = 0; d < scene_.dimension; ++d) sorted_position_[d].assign(sorted_position[d]);
   find_cells();
   build_ghosts();
   blocks_found_ = false;
@@ -92,7 +92,6 @@ void Neighbourhood::find_blocks() {
   blocks_found_ = true;
   (void)place(sorted_position_);
   if (!blocks_wanted_ && walls_.count() == 0) return;
-  backend_.finish();
   const bool single = scene_.precision == Precision::single_precision;
   if (scene_.dimension == 2) {
     single ? find_blocks_of<float, 2>() : find_blocks_of<double, 2>();
@@ -104,7 +103,7 @@ void Neighbourhood::find_blocks() {
 template <class Real, int Dim>
 void Neighbourhood::find_blocks_of() {
   Neighbours<Real, Dim> grid{};
-  fill(grid);
+  fill(grid, exec::Side::host);
   // Two particles may each move by half the skin; a hundredth of it is for rounding.
   if (blocks_wanted_) blocks_.find(grid, scene_.support + 1.01 * skin_);
   // A mirror point sees the fluid alone, and does not move.
@@ -112,39 +111,44 @@ void Neighbourhood::find_blocks_of() {
   if (walls_.count() > 0) mirror_blocks_.find_around(grid, mirror_local_, mirror_cell_, scene_.support + 0.51 * skin_);
 }
 
-void Neighbourhood::keep_inside(Particles& particles, Index i) const {
-  std::array<double, 3> at{};
-  std::array<std::int32_t, 3> images{};
-  for (int d = 0; d < scene_.dimension; ++d) {
-    at[d] = particles.position[d][i];
-    images[d] = particles.images[d][i];
-  }
-  boundary_.keep_inside(scene_, at.data(), images.data());
-  for (int d = 0; d < scene_.dimension; ++d) {
-    particles.position[d][i] = at[d];
-    particles.images[d][i] = images[d];
-  }
-}
-
 void Neighbourhood::keep_inside(Particles& particles) {
   const Index count = particles.count();
-  const auto at = places(particles.position);
-  Index* left = nullptr;
   Index number = count;
-  // On a device it finds who left the box, so that no others come to the host.
+  const Index* left = nullptr;
+  // On a device it finds who left the box: mostly nobody, and nothing comes to the host.
   if (!backend_.on_host()) {
-    order_.resize(particles.id.size());
-    left = order_.data();
-    number = backend_.cells().find_outside(at.data(), scene_.box.data(), scene_.dimension, count, left);
-    backend_.finish();
+    order_.resize_for_overwrite(particles.id.size());
+    number = backend_.cells().find_outside(exec::pointers(particles.position, device).data(), scene_.box.data(),
+                                           scene_.dimension, count, order_.device(Access::write));
+    if (number == 0) return;
+    left = order_.host().data();
   }
+  std::array<double*, 3> position{};
+  std::array<std::int32_t*, 3> image{};
+  for (std::size_t d = 0; d < 3; ++d) {
+    position[d] = particles.position[d].host(Access::read_write).data();
+    image[d] = particles.images[d].host(Access::read_write).data();
+  }
+  const auto move_inside = [&](Index i) {
+    std::array<double, 3> at{};
+    std::array<std::int32_t, 3> images{};
+    for (int d = 0; d < scene_.dimension; ++d) {
+      at[d] = position[d][i];
+      images[d] = image[d][i];
+    }
+    boundary_.keep_inside(scene_, at.data(), images.data());
+    for (int d = 0; d < scene_.dimension; ++d) {
+      position[d][i] = at[d];
+      image[d][i] = images[d];
+    }
+  };
   exec::FirstFailure failure;
 #pragma omp parallel for schedule(static)
   for (Index n = 0; n < number; ++n) {
     const Index i = left == nullptr ? n : left[n];
-    if (exec::is_inside(at.data(), scene_.box.data(), scene_.dimension, i)) continue;
+    if (exec::is_inside(position.data(), scene_.box.data(), scene_.dimension, i)) continue;
     try {
-      keep_inside(particles, i);
+      move_inside(i);
     } catch (...) {
       failure.keep();
     }
@@ -158,15 +162,15 @@ void Neighbourhood::sort_particles(Particles& particles) {
   keep_inside(particles);
   const exec::CellLoops& loops = backend_.cells();
   for (int d = 0; d < scene_.dimension; ++d) {
-    sorted_position_[d].resize(particles.id.size());
-    loops.copy(particles.position[d].data(), sorted_position_[d].data(), count);
+    sorted_position_[d].resize_for_overwrite(particles.id.size());
+    loops.copy(particles.position[d].device(), sorted_position_[d].device(Access::write), count);
   }
   find_cells();
-  order_.resize(particles.id.size());
-  loops.order(cell_of_.data(), particles.id.data(), count, grid_.inside_count(), order_.data());
+  order_.resize_for_overwrite(particles.id.size());
+  loops.order(cell_of_.device(), particles.id.device(), count, grid_.inside_count(), order_.device(Access::write));
   const auto permute = [&](auto& values, auto& scratch) {
-    scratch.resize(values.size());
-    loops.permute(values.data(), order_.data(), count, scratch.data());
+    scratch.resize_for_overwrite(values.size());
+    loops.permute(values.device(Access::read_write), order_.device(), count, scratch.device(Access::write));
   };
   permute(particles.id, scratch_.id);
   for (int d = 0; d < scene_.dimension; ++d) {
@@ -179,30 +183,31 @@ void Neighbourhood::sort_particles(Particles& particles) {
 
 void Neighbourhood::find_cells() {
   const auto count = static_cast<Index>(sorted_position_[0].size());
-  cell_of_.resize(static_cast<std::size_t>(count));
-  backend_.cells().find_cells(grid_, places(sorted_position_).data(), count, cell_of_.data());
+  cell_of_.resize_for_overwrite(sorted_position_[0].size());
+  backend_.cells().find_cells(grid_, exec::pointers(sorted_position_, device).data(), count,
+                              cell_of_.device(Access::write));
 }
 
-// Ghosts are found by cell as particles are; those of the walls have tables of their own.
+// Ghosts are found by cell as particles are; those of the walls have tables of their own. Cells beyond the faces keep
+// what they had where there are no ghosts: nothing.
 void Neighbourhood::build_ghosts() {
   const auto count = static_cast<Index>(cell_of_.size());
   ghosts_.build(scene_, grid_, sorted_position_, scene_.support + skin_);
+  Index* const begin = cell_begin_.device(Access::read_write);
+  Index* const end = cell_end_.device(Access::read_write);
   if (ghosts_.images().count > 0)
-    backend_.cells().find_ghost_ranges(grid_, ghosts_.cell().data(), ghosts_.count(), count + walls_.count(),
-                                       cell_begin_.data(), cell_end_.data());
-  backend_.cells().find_ranges(grid_, cell_of_.data(), count, cell_begin_.data(), cell_end_.data());
+    backend_.ghosts().find_ranges(grid_, ghosts_.cell().device(), ghosts_.count(), count + walls_.count(), begin, end);
+  backend_.cells().find_ranges(grid_, cell_of_.device(), count, begin, end);
   make_room();
   ++sorted_version_;
 }
 
+// All but the last few are written by place().
 void Neighbourhood::make_room() {
-  backend_.finish();
-  const std::size_t stored = cell_of_.size() + static_cast<std::size_t>(boundary_count()) + pack_tail;
+  const std::size_t stored = cell_of_.size() + static_cast<std::size_t>(boundary_count());
   const auto resize = [&](auto& local) {
-    // Ghosts come and go: a little room keeps the array where it is.
-    if (local.capacity() < stored) local.reserve(stored + stored / 16);
-    local.resize(stored);
-    std::fill(local.end() - pack_tail, local.end(), 0);
+    local.resize_for_overwrite(stored + pack_tail);
+    local.zero(stored);
   };
   for (int d = 0; d < scene_.dimension; ++d)
     scene_.precision == Precision::single_precision ? resize(local_single_[d]) : resize(local_double_[d]);
@@ -210,36 +215,36 @@ void Neighbourhood::make_room() {
 
 // Coordinates relative to tiles; false if a particle has left the skin.
 template <class Real>
-bool Neighbourhood::place(const std::array<exec::Array<double>, 3>& position,
-                          std::array<exec::Array<Real>, 3>& local) const {
-  exec::Placing<Real> placing{};
+bool Neighbourhood::place(const exec::AxisArrays<double>& position, exec::AxisArrays<Real>& local) const {
+  exec::PlaceArguments<Real> arguments{};
   for (int d = 0; d < scene_.dimension; ++d) {
-    placing.position[d] = position[d].data();
-    placing.sorted[d] = sorted_position_[d].data();
-    placing.local[d] = local[d].data();
+    arguments.position[d] = position[d].device();
+    arguments.sorted[d] = sorted_position_[d].device();
+    arguments.local[d] = local[d].device(Access::read_write);  // but for those behind the last
   }
-  placing.cell_begin = cell_begin_.data();
-  placing.cell_end = cell_end_.data();
-  placing.farthest_square = skin_ * skin_ / 4.0;
-  placing.walls = wall_view();
-  placing.ghosts = ghost_view();
-  return backend_.loops<Real>().place(grid_, placing);
+  arguments.cell_begin = cell_begin_.device();
+  arguments.cell_end = cell_end_.device();
+  arguments.farthest_square = skin_ * skin_ / 4.0;
+  arguments.walls = wall_view(device);
+  arguments.ghosts = ghost_view(device);
+  return backend_.cells().place(grid_, arguments);
 }
 
-bool Neighbourhood::place(const std::array<exec::Array<double>, 3>& position) {
+bool Neighbourhood::place(const exec::AxisArrays<double>& position) {
   return scene_.precision == Precision::single_precision ? place(position, local_single_)
                                                          : place(position, local_double_);
 }
 
 template <class Real, int Dim>
-void Neighbourhood::fill(Neighbours<Real, Dim>& grid) const {
+void Neighbourhood::fill(Neighbours<Real, Dim>& grid, exec::Side side) const {
+  const bool by_blocks = side == exec::Side::host || backend_.has_host_code();
   for (int d = 0; d < Dim; ++d) {
     if constexpr (sizeof(Real) == sizeof(float)) {
-      grid.local[d] = local_single_[d].data();
-      grid.offset[d] = blocks_.offset_single[d].data();
+      grid.local[d] = local_single_[d].on(side);
+      grid.offset[d] = by_blocks ? blocks_.offset_single[d].data() : nullptr;
     } else {
-      grid.local[d] = local_double_[d].data();
-      grid.offset[d] = blocks_.offset[d].data();
+      grid.local[d] = local_double_[d].on(side);
+      grid.offset[d] = by_blocks ? blocks_.offset[d].data() : nullptr;
     }
     grid.cells[d] = grid_.cells(d);
     grid.padding[d] = grid_.padding(d);
@@ -247,19 +252,20 @@ void Neighbourhood::fill(Neighbours<Real, Dim>& grid) const {
     grid.wrapped[d] = grid_.wrapped(d);
     grid.width[d] = grid_.width(d);
   }
-  grid.cell_begin = cell_begin_.data();
-  grid.cell_end = cell_end_.data();
-  grid.wall_begin = walls_.cell_begin();
-  grid.wall_end = walls_.cell_end();
-  grid.cell_of = cell_of_.data();
-  grid.block_begin = blocks_.begin.data();
-  grid.block = blocks_.block.data();
+  grid.cell_begin = cell_begin_.on(side);
+  grid.cell_end = cell_end_.on(side);
+  grid.wall_begin = walls_.cell_begin(side);
+  grid.wall_end = walls_.cell_end(side);
+  grid.cell_of = cell_of_.on(side);
+  grid.block_begin = by_blocks ? blocks_.begin.data() : nullptr;
+  grid.block = by_blocks ? blocks_.block.data() : nullptr;
   grid.particle_count = static_cast<Index>(cell_of_.size());
   grid.tile = CellGrid::cells_in_tile;
   grid.radius = Real(scene_.support);
   const double h = scene_.smoothing_length;
   grid.smallest = Real((sizeof(Real) == sizeof(float) ? 1e-14 : 1e-30) * h * h);
 }
+
 template <int Dim>
 sph::MirrorPoints<Dim> Neighbourhood::mirrors() const {
   sph::MirrorPoints<Dim> points{walls_.count(), {}, {}, mirror_blocks_.begin.data(), mirror_blocks_.block.data()};
@@ -272,9 +278,9 @@ sph::MirrorPoints<Dim> Neighbourhood::mirrors() const {
 template sph::MirrorPoints<2> Neighbourhood::mirrors() const;
 template sph::MirrorPoints<3> Neighbourhood::mirrors() const;
 
-template void Neighbourhood::fill(Neighbours<float, 2>&) const;
-template void Neighbourhood::fill(Neighbours<double, 2>&) const;
-template void Neighbourhood::fill(Neighbours<float, 3>&) const;
-template void Neighbourhood::fill(Neighbours<double, 3>&) const;
+template void Neighbourhood::fill(Neighbours<float, 2>&, exec::Side) const;
+template void Neighbourhood::fill(Neighbours<double, 2>&, exec::Side) const;
+template void Neighbourhood::fill(Neighbours<float, 3>&, exec::Side) const;
+template void Neighbourhood::fill(Neighbours<double, 3>&, exec::Side) const;
 
 }  // namespace mesogen

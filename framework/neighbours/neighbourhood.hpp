@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "exec/array.hpp"
 #include "exec/backend.hpp"
-#include "exec/memory.hpp"
 #include "ghosts/ghosts.hpp"
 #include "ghosts/wall_set.hpp"
 #include "mesogen/export.hpp"
@@ -40,9 +40,9 @@ class MESOGEN_EXPORT Neighbourhood {
   /// Sorts particles, and finds no neighbours: the next update() does. Returns the new order of storage.
   const exec::Array<Index>& reorder(Particles& particles);
 
-  /// Do pair sums on the host look for neighbours? They go by blocks, which cost a search at each sorting; a device
-  /// goes by cells. Unless it is said: where the backend is the host.
-  void find_blocks_for_host(bool wanted) { blocks_wanted_ = wanted; }
+  /// Does code of the host sum over pairs too, beside a backend without such code? It goes by blocks, which cost a
+  /// search at each sorting.
+  void find_blocks_for_host(bool wanted) { blocks_wanted_ = wanted || backend_.has_host_code(); }
 
   /// Is there an order of storage?
   [[nodiscard]] bool sorted() const { return !cell_of_.empty(); }
@@ -52,12 +52,14 @@ class MESOGEN_EXPORT Neighbourhood {
   /// Returns to an earlier sorting: particles are in its order of storage and were sorted at these coordinates. Finds
   /// no neighbours: the next update() does.
   void restore(const std::array<std::vector<double>, 3>& sorted_position);
-  [[nodiscard]] const std::array<exec::Array<double>, 3>& sorted_position() const { return sorted_position_; }
+  [[nodiscard]] const exec::AxisArrays<double>& sorted_position() const { return sorted_position_; }
 
   [[nodiscard]] const WallSet& walls() const { return walls_; }
   [[nodiscard]] const Ghosts& ghosts() const { return ghosts_; }
-  [[nodiscard]] WallView wall_view() const { return walls_.view(scene_.particle_count); }
-  [[nodiscard]] GhostView ghost_view() const { return ghosts_.view(scene_.particle_count + walls_.count()); }
+  [[nodiscard]] WallView wall_view(exec::Side side) const { return walls_.view(scene_.particle_count, side); }
+  [[nodiscard]] GhostView ghost_view(exec::Side side) const {
+    return ghosts_.view(scene_.particle_count + walls_.count(), side);
+  }
   /// How many wall particles and ghosts are stored behind the particles.
   [[nodiscard]] Index boundary_count() const { return walls_.count() + ghosts_.count(); }
   /// Particles and ghosts around the mirror points of the walls, as they were at the last sorting.
@@ -72,22 +74,21 @@ class MESOGEN_EXPORT Neighbourhood {
   [[nodiscard]] std::uint64_t sorted_version() const { return sorted_version_; }
   [[nodiscard]] std::int64_t sortings() const { return sortings_; }
 
+  /// For pair sums on this side. Blocks lie on the host: where code goes by cells, there are none.
   template <class Real, int Dim>
-  void fill(Neighbours<Real, Dim>& grid) const;
+  void fill(Neighbours<Real, Dim>& grid, exec::Side side) const;
 
  private:
   void order(Particles& particles);
   void keep_inside(Particles& particles);
-  void keep_inside(Particles& particles, Index i) const;
   void sort_particles(Particles& particles);
   void find_cells();
   void build_ghosts();
   void make_room();
   void place_mirrors();
   template <class Real>
-  [[nodiscard]] bool place(const std::array<exec::Array<double>, 3>& position,
-                           std::array<exec::Array<Real>, 3>& local) const;
-  [[nodiscard]] bool place(const std::array<exec::Array<double>, 3>& position);
+  [[nodiscard]] bool place(const exec::AxisArrays<double>& position, exec::AxisArrays<Real>& local) const;
+  [[nodiscard]] bool place(const exec::AxisArrays<double>& position);
   void find_blocks();
   template <class Real, int Dim>
   void find_blocks_of();
@@ -98,7 +99,7 @@ class MESOGEN_EXPORT Neighbourhood {
   double skin_;
   CellGrid grid_;
 
-  std::array<exec::Array<double>, 3> sorted_position_;
+  exec::AxisArrays<double> sorted_position_;
   exec::Array<Index> order_;
   exec::Array<Index> cell_of_;     // number, inside the box, of each particle's cell
   exec::Array<Index> cell_begin_;  // by padded cell
@@ -111,11 +112,11 @@ class MESOGEN_EXPORT Neighbourhood {
   std::vector<CellGrid::Cell> mirror_cell_;          // of the mirror point of each wall particle
   std::array<std::vector<double>, 3> mirror_local_;  // relative to the tile of its cell
   NeighbourBlocks mirror_blocks_;
-  std::array<exec::Array<float>, 3> local_single_;
-  std::array<exec::Array<double>, 3> local_double_;
+  exec::AxisArrays<float> local_single_;
+  exec::AxisArrays<double> local_double_;
   /// Room for one array of each kind while particles change places.
   struct Scratch {
-    explicit Scratch(exec::Memory& memory) : position(memory), images(memory), id(memory) {}
+    explicit Scratch(exec::DeviceMemory* memory) : position(memory), images(memory), id(memory) {}
     exec::Array<double> position;
     exec::Array<std::int32_t> images;
     exec::Array<std::int64_t> id;

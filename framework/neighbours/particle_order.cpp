@@ -18,9 +18,11 @@ void ParticleOrder::settle_for_reader() {
   if (!neighbourhood_.update_without_sorting(particles_)) {
     if (!kept_ && neighbourhood_.sorted()) keep();
     const exec::Array<Index>& order = *neighbourhood_.update(particles_);
-    if (kept_)
-      for (std::size_t n = 0; n < order.size(); ++n)
-        kept_->way_back[static_cast<std::size_t>(order[n])] = static_cast<Index>(n);
+    if (kept_) {
+      const auto from = order.host();
+      const auto way_back = kept_->way_back.host(exec::Access::write);
+      for (std::size_t n = 0; n < from.size(); ++n) way_back[static_cast<std::size_t>(from[n])] = static_cast<Index>(n);
+    }
     permute_fields(order);
   }
   moved_ = false;
@@ -28,10 +30,10 @@ void ParticleOrder::settle_for_reader() {
 }
 
 void ParticleOrder::keep() {
-  clock_.backend.finish();
-  kept_.emplace(Kept{particles_, {}, exec::Array<Index>(particles_.id.size(), clock_.backend.memory())});
+  kept_.emplace(Kept{particles_, {}, exec::Array<Index>(clock_.backend.memory())});
+  kept_->way_back.resize_for_overwrite(particles_.id.size());
   for (int d = 0; d < particles_.dimension; ++d) {
-    const auto& sorted = neighbourhood_.sorted_position()[d];
+    const auto sorted = neighbourhood_.sorted_position()[d].host();
     kept_->sorted_position[d].assign(sorted.begin(), sorted.end());
   }
 }
@@ -39,7 +41,6 @@ void ParticleOrder::keep() {
 void ParticleOrder::return_to_integration() {
   if (!kept_) return;
   const Span span(sorting_, clock_.trace);
-  clock_.backend.finish();
   particles_ = kept_->particles;
   neighbourhood_.restore(kept_->sorted_position);
   permute_fields(kept_->way_back);

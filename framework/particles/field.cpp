@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "neighbours/cell_loops.hpp"
+#include "particles/field_loops.hpp"
+
 namespace mesogen {
 
 namespace {
@@ -11,10 +14,13 @@ namespace {
 constexpr std::ptrdiff_t pack_tail = 16;
 
 template <class T>
-void restride(exec::Array<T>& values, int components, std::ptrdiff_t from, std::ptrdiff_t to, Index keep) {
-  exec::Array<T> larger(static_cast<std::size_t>(components * to + pack_tail), T(0), values.get_allocator());
+void restride(exec::Array<T>& values, exec::DeviceMemory* memory, int components, std::ptrdiff_t from,
+              std::ptrdiff_t to, Index keep) {
+  exec::Array<T> larger(memory);
+  larger.resize(static_cast<std::size_t>(components * to + pack_tail));
   for (int c = 0; c < components && !values.empty(); ++c)
-    std::copy_n(values.begin() + c * from, keep, larger.begin() + c * to);
+    larger.copy(values, static_cast<std::size_t>(c * from), static_cast<std::size_t>(keep),
+                static_cast<std::size_t>(c * to));
   values.swap(larger);
 }
 
@@ -32,43 +38,36 @@ Field::Field(std::string name, int components, Precision precision, bool integra
 void Field::resize(Index particles, Index of_boundary) {
   const std::ptrdiff_t needed = static_cast<std::ptrdiff_t>(particles) + of_boundary;
   if (needed > stride_ || stride_ == 0) {
-    backend_.finish();
     const std::ptrdiff_t roomy = (needed + needed / 16 + 2 * pack_tail) / pack_tail * pack_tail;
     const Index keep = std::min(particles_, particles);
-    if (!is_double()) restride(single_, components_, stride_, roomy, keep);
-    if (is_double() || integrated_) restride(double_, components_, stride_, roomy, keep);
+    exec::DeviceMemory* const memory = backend_.memory();
+    if (!is_double()) restride(single_, memory, components_, stride_, roomy, keep);
+    if (is_double() || integrated_) restride(double_, memory, components_, stride_, roomy, keep);
     stride_ = roomy;
   }
   particles_ = particles;
 }
 
-template <class Real>
-FieldView<Real> Field::view() {
-  if constexpr (sizeof(Real) == sizeof(float)) {
-    return {single_.data(), stride_};
-  } else {
-    return {double_.data(), stride_};
-  }
-}
-template FieldView<float> Field::view<float>();
-template FieldView<double> Field::view<double>();
-
-double Field::value(int component, Index particle) const {
-  const auto at = static_cast<std::size_t>(component * stride_ + particle);
-  return is_double() || integrated_ ? double_[at] : static_cast<double>(single_[at]);
+FieldReader Field::reader() const {
+  if (is_double() || integrated_) return {master(exec::Side::host), {}};
+  return {{}, view<float>(exec::Side::host)};
 }
 
 void Field::set(int component, Index particle, double value) {
-  const auto at = static_cast<std::size_t>(component * stride_ + particle);
-  if (is_double() || integrated_) double_[at] = value;
-  if (!is_double()) single_[at] = static_cast<float>(value);
+  constexpr auto host = exec::Side::host;
+  constexpr auto access = exec::Access::read_write;
+  if (is_double() || integrated_) master(host, access)(component, particle) = value;
+  if (!is_double()) view<float>(host, access)(component, particle) = static_cast<float>(value);
 }
 
 void Field::fill_zero() {
+  // What lies behind the particles stays.
+  constexpr auto device = exec::Side::device;
+  constexpr auto read_write = exec::Access::read_write;
   if (is_double()) {
-    backend_.loops<double>().zero(view<double>(), components_, particles_);
+    backend_.fields<double>().zero(view<double>(device, read_write), components_, particles_);
   } else {
-    backend_.loops<float>().zero(view<float>(), components_, particles_);
+    backend_.fields<float>().zero(view<float>(device, read_write), components_, particles_);
   }
 }
 
@@ -81,12 +80,13 @@ void Field::exchange_master(Field& other) {
 }
 
 void Field::permute(const exec::Array<Index>& order, Scratch& scratch) {
+  const auto count = static_cast<Index>(order.size());
   const auto permuted = [&](auto& values, auto& room) {
     if (values.empty()) return;
-    room.resize(order.size());
+    room.resize_for_overwrite(order.size());
+    auto* const all = values.device(exec::Access::read_write);
     for (int c = 0; c < components_; ++c)
-      backend_.cells().permute(values.data() + c * stride_, order.data(), static_cast<Index>(order.size()),
-                               room.data());
+      backend_.cells().permute(all + c * stride_, order.device(), count, room.device(exec::Access::write));
   };
   permuted(single_, scratch.single);
   permuted(double_, scratch.exact);

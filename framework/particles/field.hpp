@@ -5,15 +5,28 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <vector>
+#include <utility>
 
+#include "exec/array.hpp"
 #include "exec/backend.hpp"
-#include "exec/memory.hpp"
 #include "mesogen/export.hpp"
 #include "mesogen/particles/field_kind.hpp"
 #include "mesogen/particles/field_view.hpp"
 
 namespace mesogen {
+
+/// Values of a field on the host, in the best precision there is: brought there once, then read.
+class FieldReader {
+ public:
+  FieldReader(FieldView<const double> exact, FieldView<const float> single) : exact_(exact), single_(single) {}
+  [[nodiscard]] double operator()(int component, Index particle) const {
+    return exact_ ? exact_(component, particle) : static_cast<double>(single_(component, particle));
+  }
+
+ private:
+  FieldView<const double> exact_;
+  FieldView<const float> single_;
+};
 
 /// A named array over the particles of the fluid, those of walls, and ghosts.
 ///
@@ -33,11 +46,21 @@ class MESOGEN_EXPORT Field {
   void resize(Index particles, Index of_boundary);
 
   template <class Real>
-  [[nodiscard]] FieldView<Real> view();
+  [[nodiscard]] FieldView<const Real> view(exec::Side side) const {
+    return {values<Real>().on(side), stride_};
+  }
+  template <class Real>
+  [[nodiscard]] FieldView<Real> view(exec::Side side, exec::Access access) {
+    return {values<Real>().on(side, access), stride_};
+  }
   /// Of an integrated field: the double that is advanced. The same memory as view<double>() in double precision.
-  [[nodiscard]] FieldView<double> master() { return {double_.data(), stride_}; }
-  /// Value in the best precision there is.
-  [[nodiscard]] double value(int component, Index particle) const;
+  [[nodiscard]] FieldView<const double> master(exec::Side side) const { return {double_.on(side), stride_}; }
+  [[nodiscard]] FieldView<double> master(exec::Side side, exec::Access access) {
+    return {double_.on(side, access), stride_};
+  }
+  [[nodiscard]] FieldReader reader() const;
+  /// Of one particle; a loop over particles takes a reader().
+  [[nodiscard]] double value(int component, Index particle) const { return reader()(component, particle); }
   void set(int component, Index particle, double value);
   void fill_zero();
   /// Exchanges the doubles of two integrated fields of as many components, without touching them. Ghosts and walls of
@@ -46,7 +69,7 @@ class MESOGEN_EXPORT Field {
 
   /// Room that permuting a field takes; one for all of them.
   struct Scratch {
-    explicit Scratch(exec::Memory& memory = exec::Memory::host()) : exact(memory), single(memory) {}
+    explicit Scratch(exec::DeviceMemory* memory = nullptr) : exact(memory), single(memory) {}
     exec::Array<double> exact;
     exec::Array<float> single;
   };
@@ -62,10 +85,20 @@ class MESOGEN_EXPORT Field {
   /// What a boundary goes by. Without it the values at ghosts and walls are the same as in the fluid.
   std::optional<FieldKind> kind;
 
-  std::string unit;
-  std::string doc;
-
  private:
+  template <class Real>
+  [[nodiscard]] const exec::Array<Real>& values() const {
+    if constexpr (sizeof(Real) == sizeof(float)) {
+      return single_;
+    } else {
+      return double_;
+    }
+  }
+  template <class Real>
+  [[nodiscard]] exec::Array<Real>& values() {
+    return const_cast<exec::Array<Real>&>(std::as_const(*this).template values<Real>());
+  }
+
   std::string name_;
   int components_;
   Precision precision_;

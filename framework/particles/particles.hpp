@@ -1,25 +1,21 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
 
-#include "exec/memory.hpp"
-#include "mesogen/export.hpp"
+#include "exec/array.hpp"
 #include "mesogen/particles/field_view.hpp"
 
 namespace mesogen {
 
 /// Where particles are and which they are, in storage order. Coordinates are doubles in any precision of the run: a
 /// step moves a particle by less than float resolves.
-struct MESOGEN_EXPORT Particles {
-  explicit Particles(exec::Memory& memory = exec::Memory::host())
-      : position{exec::Array<double>(memory), exec::Array<double>(memory), exec::Array<double>(memory)},
-        images{exec::Array<std::int32_t>(memory), exec::Array<std::int32_t>(memory), exec::Array<std::int32_t>(memory)},
-        id(memory) {}
+struct Particles {
+  explicit Particles(exec::DeviceMemory* memory = nullptr)
+      : position(exec::axis_arrays<double>(memory)), images(exec::axis_arrays<std::int32_t>(memory)), id(memory) {}
 
   int dimension = 2;
-  std::array<exec::Array<double>, 3> position;      ///< m
-  std::array<exec::Array<std::int32_t>, 3> images;  ///< boxes crossed along each axis
+  exec::AxisArrays<double> position;      ///< m
+  exec::AxisArrays<std::int32_t> images;  ///< boxes crossed along each axis
   exec::Array<std::int64_t> id;
 
   [[nodiscard]] Index count() const { return static_cast<Index>(id.size()); }

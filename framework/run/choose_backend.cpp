@@ -1,6 +1,6 @@
 #include "run/choose_backend.hpp"
 
-#include "exec/cuda_library.hpp"
+#include "backend/cuda_library.hpp"
 
 namespace mesogen {
 

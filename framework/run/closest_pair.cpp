@@ -25,7 +25,7 @@ void visit_around(const Neighbours<Real, 2>& grid, const Segment<Real, 2>* segme
 template <class Real>
 std::optional<ClosestPair> closest_pair_of(const State& state, double within) {
   Neighbours<Real, 2> grid{};
-  state.neighbourhood.fill(grid);
+  state.neighbourhood.fill(grid, exec::Side::host);
   // A wall is for nobody to pair with.
   grid.wall_begin = grid.wall_end = nullptr;
   // The grid is made for the support; only the next cells matter here. Until they are sorted anew two particles stand
@@ -42,7 +42,7 @@ std::optional<ClosestPair> closest_pair_of(const State& state, double within) {
     const int count = grid.segments(at, segments);
     for (Index i = grid.cell_begin[index]; i < grid.cell_end[index]; ++i) action(i, segments, count);
   };
-  const GhostView ghosts = state.neighbourhood.ghost_view();
+  const GhostView ghosts = state.neighbourhood.ghost_view(exec::Side::host);
   const int cells = grid.cell_count();
   Real closest = Real(within * within);
   const Real limit = closest;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "mesogen/diagnostics/error.hpp"
+#include "particles/field_loops.hpp"
 #include "run/closest_pair.hpp"
 #include "sph/lattice.hpp"
 #include "text/rounded_text.hpp"
@@ -31,10 +32,10 @@ constexpr double largest_volume = 2.0;
 constexpr double nearest = 0.1;
 constexpr std::int64_t steps_between_looks = 128;
 
-double length_of(const Field& field, Index i) {
-  if (field.components() == 1) return field.value(0, i);
+double length_of(const FieldReader& value, int components, Index i) {
+  if (components == 1) return value(0, i);
   double square = 0.0;
-  for (int c = 0; c < field.components(); ++c) square += field.value(c, i) * field.value(c, i);
+  for (int c = 0; c < components; ++c) square += value(c, i) * value(c, i);
   return std::sqrt(square);
 }
 
@@ -42,8 +43,9 @@ double length_of(const Field& field, Index i) {
 Index farthest_outside(const Field& field, Index count, double lowest, double highest) {
   Index worst = 0;
   double most = -HUGE_VAL;
+  const FieldReader reader = field.reader();
   for (Index i = 0; i < count; ++i) {
-    const double value = length_of(field, i);
+    const double value = length_of(reader, field.components(), i);
     const double excess = std::isnan(value) ? HUGE_VAL : std::max(lowest - value, value - highest);
     if (excess > most) {
       most = excess;
@@ -55,12 +57,12 @@ Index farthest_outside(const Field& field, Index count, double lowest, double hi
 
 // Looks at the numbers that passes see: half as many bytes as the doubles of an advanced field.
 template <class Real>
-exec::Finding look_outside(const State& state, Field& field, double lowest, double highest) {
-  return state.backend.loops<Real>().is_outside(field.view<Real>(), field.components(), state.particles.count(), lowest,
-                                                highest);
+exec::Reduction look_outside(const State& state, const Field& field, double lowest, double highest) {
+  return state.backend.fields<Real>().is_outside(field.view<Real>(exec::Side::device), field.components(),
+                                                 state.particles.count(), lowest, highest);
 }
 
-exec::Finding look_outside(const State& state, Field& field, double lowest, double highest) {
+exec::Reduction look_outside(const State& state, const Field& field, double lowest, double highest) {
   return state.single() ? look_outside<float>(state, field, lowest, highest)
                         : look_outside<double>(state, field, lowest, highest);
 }
@@ -98,13 +100,13 @@ void Guard::check(const Motion& motion) const {
   check_finite(motion);
   check_speed(motion);
   check_step(motion);
-  std::vector<exec::Finding> outside;
+  std::vector<exec::Reduction> outside;
   for (const auto& [field, bounds] : fields_)
     outside.push_back(look_outside(state_, *field, bounds.lowest, bounds.highest));
   if (volume_ != nullptr)
     outside.push_back(
         look_outside(state_, *volume_, smallest_volume * lattice_volume_, largest_volume * lattice_volume_));
-  state_.backend.collect();
+  state_.backend.wait();
   const auto is_outside = [&](std::size_t n) { return state_.backend.found(outside[n]) > 0.0; };
   for (std::size_t n = 0; n < fields_.size(); ++n)
     if (is_outside(n)) stop_at_field(fields_[n]);
@@ -150,7 +152,8 @@ void Guard::check_step(const Motion& motion) const {
 void Guard::stop_at_field(const Guarded& guarded) const {
   const auto& [field, bounds] = guarded;
   const Index place = farthest_outside(*field, state_.particles.count(), bounds.lowest, bounds.highest);
-  stop("broke down: '" + field->name() + "' is " + rounded_text(length_of(*field, place)) + " at " + particle(place) +
+  stop("broke down: '" + field->name() + "' is " +
+           rounded_text(length_of(field->reader(), field->components(), place)) + " at " + particle(place) +
            ", outside " + rounded_text(bounds.lowest) + " to " + rounded_text(bounds.highest) + ",",
        bounds.remedy);
 }
@@ -167,7 +170,6 @@ void Guard::stop_at_volume() const {
 }
 
 void Guard::check_distances() const {
-  state_.backend.finish();
   const auto pair = closest_pair(state_, nearest * state_.scene.spacing);
   if (!pair) return;
   stop("broke down: " + particle(std::min(pair->a, pair->b)) + " and " + particle(std::max(pair->a, pair->b)) +
@@ -185,9 +187,10 @@ std::string Guard::calmer() const {
 std::string Guard::particle(Index place) const {
   std::array<double, 3> at{};
   std::array<std::int32_t, 3> images{};
-  for (int d = 0; d < state_.scene.dimension; ++d) at[d] = state_.particles.position[d][place];
+  for (int d = 0; d < state_.scene.dimension; ++d)
+    at[d] = state_.particles.position[d].host()[static_cast<std::size_t>(place)];
   state_.boundary.keep_inside(state_.scene, at.data(), images.data());
-  std::string text = "particle " + std::to_string(state_.particles.id[place]) + " (";
+  std::string text = "particle " + std::to_string(state_.particles.id.host()[static_cast<std::size_t>(place)]) + " (";
   for (int d = 0; d < state_.scene.dimension; ++d) text += (d > 0 ? ", " : "") + rounded_text(at[d]);
   return text + ")";
 }

@@ -78,8 +78,6 @@ void Observation::start() {
 
 void Observation::follow() {
   const auto& members = stepper_.setup().observers;
-  if (std::ranges::any_of(members, [](const auto& member) { return member.plan.follows(); }))
-    stepper_.state().backend.finish();
   for (std::size_t n = 0; n < members.size(); ++n) {
     const auto& member = members[n];
     if (!member.plan.follows()) continue;
@@ -149,15 +147,18 @@ std::vector<FrameField> Observation::frame() {
                       NumberType::float64, Rank::vector};
   // H5MD's name for the boxes that a particle has crossed.
   FrameField image{"image", "1", dimension, std::vector<double>(size), NumberType::int32, Rank::vector};
+  const auto id = state.particles.id.host();
+  const auto stored_position = exec::pointers(state.particles.position, exec::Side::host);
+  const auto stored_images = exec::pointers(state.particles.images, exec::Side::host);
   for (std::size_t i = 0; i < count; ++i) {
     std::array<double, 3> at{};
     std::array<std::int32_t, 3> images{};
     for (int d = 0; d < dimension; ++d) {
-      at[d] = state.particles.position[d][i];
-      images[d] = state.particles.images[d][i];
+      at[d] = stored_position[d][i];
+      images[d] = stored_images[d][i];
     }
     state.boundary.keep_inside(state.scene, at.data(), images.data());
-    const auto row = static_cast<std::size_t>(state.particles.id[i] * dimension);
+    const auto row = static_cast<std::size_t>(id[i] * dimension);
     for (int d = 0; d < dimension; ++d) {
       position.values[row + static_cast<std::size_t>(d)] = at[d];
       image.values[row + static_cast<std::size_t>(d)] = images[d];
@@ -174,10 +175,10 @@ std::vector<FrameField> Observation::frame() {
                       std::vector<double>(count * static_cast<std::size_t>(components)),
                       state.single() ? NumberType::float32 : NumberType::float64,
                       setup.catalogue.rank(name)};
+    const FieldReader value = field.reader();
     for (int c = 0; c < components; ++c)
       for (std::size_t i = 0; i < count; ++i)
-        stored.values[static_cast<std::size_t>(state.particles.id[i] * components + c)] =
-            field.value(c, static_cast<Index>(i));
+        stored.values[static_cast<std::size_t>(id[i] * components + c)] = value(c, static_cast<Index>(i));
     fields.push_back(std::move(stored));
   }
   return fields;

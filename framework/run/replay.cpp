@@ -100,14 +100,17 @@ void Replay::show(std::size_t frame, State& state) const {
       throw Error(ExitCode::bad_case, "the frames of " + folder_.string() + " hold no '" + name +
                                           "': they were written by an older version; run the case again");
     const std::vector<double> values = frames_.read(frame, *shape);
-    for (std::size_t place = 0; place < state.particles.id.size(); ++place)
+    const auto id = state.particles.id.host();
+    for (std::size_t place = 0; place < id.size(); ++place)
       for (int c = 0; c < shape->components; ++c)
-        put(c, place, values[static_cast<std::size_t>(state.particles.id[place] * shape->components + c)]);
+        put(c, place, values[static_cast<std::size_t>(id[place] * shape->components + c)]);
   };
   state.order.return_to_integration();
-  take("position", [&](int d, std::size_t place, double value) { state.particles.position[d][place] = value; });
+  constexpr auto write = exec::Access::read_write;
+  take("position",
+       [&](int d, std::size_t place, double value) { state.particles.position[d].host(write)[place] = value; });
   take("image", [&](int d, std::size_t place, double value) {
-    state.particles.images[d][place] = static_cast<std::int32_t>(value);
+    state.particles.images[d].host(write)[place] = static_cast<std::int32_t>(value);
   });
   for (const output::FieldShape& shape : frames_.fields()) {
     Field* const field = state.fields.find(shape.name);

@@ -11,11 +11,12 @@ namespace {
 Particles initial_particles(const Setup& setup) {
   Particles particles(setup.backend->memory());
   particles.dimension = setup.scene.dimension;
-  particles.id.resize(static_cast<std::size_t>(setup.arrangement.count));
-  std::iota(particles.id.begin(), particles.id.end(), 0);
+  particles.id.resize_for_overwrite(static_cast<std::size_t>(setup.arrangement.count));
+  const auto id = particles.id.host(exec::Access::write);
+  std::iota(id.begin(), id.end(), 0);
   for (int d = 0; d < particles.dimension; ++d) {
-    particles.position[d].assign(setup.arrangement.position[d].begin(), setup.arrangement.position[d].end());
-    particles.images[d].assign(particles.id.size(), 0);
+    particles.position[d].assign(setup.arrangement.position[d]);
+    particles.images[d].resize(id.size());
   }
   return particles;
 }

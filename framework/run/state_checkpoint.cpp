@@ -39,8 +39,10 @@ void refuse_other_particles(const std::vector<std::int64_t>& ids) {
 
 void save_state(const Setup& setup, State& state, Checkpoint& checkpoint) {
   state.order.return_to_integration();
-  state.backend.finish();
-  const auto list = [](const auto& values) { return std::vector(values.begin(), values.end()); };
+  const auto list = [](const auto& array) {
+    const auto values = array.host();
+    return std::vector(values.begin(), values.end());
+  };
   checkpoint.step = state.step;
   checkpoint.time = state.time;
   checkpoint.step_size = state.step_size;
@@ -51,15 +53,16 @@ void save_state(const Setup& setup, State& state, Checkpoint& checkpoint) {
     const std::string axis = std::to_string(d);
     checkpoint.numbers["position " + axis] = list(state.particles.position[d]);
     checkpoint.numbers["sorted position " + axis] = list(state.neighbourhood.sorted_position()[d]);
-    const auto& images = state.particles.images[d];
+    const auto images = state.particles.images[d].host();
     checkpoint.integers["images " + axis].assign(images.begin(), images.end());
   }
   for (const std::string& name : checkpointed_fields(setup)) {
     const Field& field = state.fields.at(name);
+    const FieldReader value = field.reader();
     for (int c = 0; c < field.components(); ++c) {
       auto& values = checkpoint.numbers["field " + name + " " + std::to_string(c)];
       values.resize(state.particles.id.size());
-      for (Index i = 0; i < state.particles.count(); ++i) values[static_cast<std::size_t>(i)] = field.value(c, i);
+      for (Index i = 0; i < state.particles.count(); ++i) values[static_cast<std::size_t>(i)] = value(c, i);
     }
   }
   for (const auto& member : setup.physics) {
@@ -75,23 +78,22 @@ void restore_state(const Setup& setup, const Checkpoint& checkpoint, State& stat
   const auto take = [&](const auto& lists, const std::string& name) -> const auto& {
     return stored(lists, name, particles.id.size(), "particles");
   };
-  const auto put = [](const auto& values, auto& to) { to.assign(values.begin(), values.end()); };
   state.order.return_to_integration();
-  state.backend.finish();
   state.step = checkpoint.step;
   state.time = checkpoint.time;
   state.step_size = checkpoint.step_size;
   refuse_other_particles(take(checkpoint.integers, "id"));
-  put(take(checkpoint.integers, "id"), particles.id);
+  particles.id.assign(take(checkpoint.integers, "id"));
   // A branch may have other cells.
   const bool sorted_alike = checkpoint.numbers.contains("sorted position 0");
   std::array<std::vector<double>, 3> sorted;
   for (int d = 0; d < state.scene.dimension; ++d) {
     const std::string axis = std::to_string(d);
-    put(take(checkpoint.numbers, "position " + axis), particles.position[d]);
+    particles.position[d].assign(take(checkpoint.numbers, "position " + axis));
     if (sorted_alike) sorted[d] = take(checkpoint.numbers, "sorted position " + axis);
     const auto& images = take(checkpoint.integers, "images " + axis);
-    for (std::size_t i = 0; i < images.size(); ++i) particles.images[d][i] = static_cast<std::int32_t>(images[i]);
+    const auto to = particles.images[d].host(exec::Access::write);
+    for (std::size_t i = 0; i < images.size(); ++i) to[i] = static_cast<std::int32_t>(images[i]);
   }
   for (const std::string& name : checkpointed_fields(setup)) {
     Field& field = state.fields.at(name);

@@ -16,17 +16,19 @@ std::vector<double> StateView::values(std::string_view name, int component) cons
                                               std::to_string(field.components() - 1) + ", not " +
                                               std::to_string(component));
   std::vector<double> all(state_.particles.id.size());
+  const FieldReader value = field.reader();
 #pragma omp parallel for schedule(static)
-  for (Index i = 0; i < state_.particles.count(); ++i) all[static_cast<std::size_t>(i)] = field.value(component, i);
+  for (Index i = 0; i < state_.particles.count(); ++i) all[static_cast<std::size_t>(i)] = value(component, i);
   return all;
 }
 
 std::vector<double> StateView::position(int axis) const {
   std::vector<double> all(state_.particles.id.size());
+  const auto position = exec::pointers(state_.particles.position, exec::Side::host);
   for (std::size_t i = 0; i < all.size(); ++i) {
     std::array<double, 3> at{};
     std::array<std::int32_t, 3> images{};
-    for (int d = 0; d < state_.scene.dimension; ++d) at[d] = state_.particles.position[d][i];
+    for (int d = 0; d < state_.scene.dimension; ++d) at[d] = position[d][i];
     state_.boundary.keep_inside(state_.scene, at.data(), images.data());
     all[i] = at[axis];
   }
@@ -35,12 +37,15 @@ std::vector<double> StateView::position(int axis) const {
 
 std::vector<double> StateView::unwrapped(int axis) const {
   std::vector<double> all(state_.particles.id.size());
-  for (std::size_t i = 0; i < all.size(); ++i) all[i] = unwrapped_at(axis, i);
+  const auto position = state_.particles.position[axis].host();
+  const auto images = state_.particles.images[axis].host();
+  for (std::size_t i = 0; i < all.size(); ++i) all[i] = position[i] + images[i] * state_.scene.box[axis];
   return all;
 }
 
 double StateView::unwrapped_at(int axis, std::size_t place) const {
-  return state_.particles.position[axis][place] + state_.particles.images[axis][place] * state_.scene.box[axis];
+  return state_.particles.position[axis].host()[place] +
+         state_.particles.images[axis].host()[place] * state_.scene.box[axis];
 }
 
 double StateView::constant(std::string_view name) const {

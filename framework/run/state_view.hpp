@@ -21,7 +21,7 @@ class MESOGEN_EXPORT StateView : public ObserverContext {
   [[nodiscard]] std::vector<double> position(int axis) const override;
   [[nodiscard]] std::vector<double> unwrapped(int axis) const override;
   [[nodiscard]] double unwrapped_at(int axis, std::size_t place) const override;
-  [[nodiscard]] std::span<const std::int64_t> id() const override { return state_.particles.id; }
+  [[nodiscard]] std::span<const std::int64_t> id() const override { return state_.particles.id.host(); }
   [[nodiscard]] const Scene& scene() const override { return state_.scene; }
   [[nodiscard]] const sph::SmoothingKernel& kernel() const override { return state_.kernel; }
   [[nodiscard]] double constant(std::string_view name) const override;

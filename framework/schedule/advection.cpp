@@ -1,51 +1,34 @@
 #include "schedule/advection.hpp"
 
-#include "mesogen/exec/for_each.hpp"
 #include "mesogen/plugin/context.hpp"
+#include "particles/field_loops.hpp"
 
 namespace mesogen {
 
 namespace {
 
-template <class Real, int Dim>
-struct Advection {
-  FieldView<const Real> gradient, velocity;
-  FieldView<Real> rate;
-  int components;
-  Real sign;
-
-  MESOGEN_HOST_DEVICE void operator()(Index i) const {
-    for (int c = 0; c < components; ++c) {
-      Real change = Real(0);
-      for (int d = 0; d < Dim; ++d) change += velocity(d, i) * gradient(c * Dim + d, i);
-      rate(c, i) += sign * change;
-    }
-  }
-};
-
-template <class Real, int Dim>
-void advect(const PassContext& context, const FieldDeclaration& field, const Transport& transport) {
-  exec::for_each(context.space(), context.count(),
-                 Advection<Real, Dim>{context.read<Real>(field.name + "_gradient"),
-                                      context.read<Real>(transport.relative()), context.write<Real>(field.rate),
-                                      component_count(field.rank, Dim), Real(transport.fixed ? -1 : 1)});
-}
-
 template <class Real>
-void advect(const PassContext& context, const FieldDeclaration& field, const Transport& transport) {
-  if (context.scene().dimension == 2) return advect<Real, 2>(context, field, transport);
-  advect<Real, 3>(context, field, transport);
+void advect(const PassContext& context, const Backend& backend, const FieldDeclaration& field,
+            const Transport& transport) {
+  const int dimension = context.scene().dimension;
+  backend.fields<Real>().advect({context.read<Real>(field.name + "_gradient"), context.read<Real>(transport.relative()),
+                                 context.write<Real>(field.rate), component_count(field.rank, dimension), dimension,
+                                 Real(transport.fixed ? -1 : 1)},
+                                context.count());
 }
 
 }  // namespace
 
-Pass advection_pass(const FieldDeclaration& field, const Transport& transport) {
+Pass advection_pass(const FieldDeclaration& field, const Transport& transport, const Backend& backend) {
   Pass pass;
   pass.name = "advection of " + field.name;
-  pass.reads({field.name + "_gradient", transport.relative()}).accumulates({field.rate}).run([=](const auto& context) {
-    if (context.scene().precision == Precision::single_precision) return advect<float>(context, field, transport);
-    advect<double>(context, field, transport);
-  });
+  pass.reads({field.name + "_gradient", transport.relative()})
+      .accumulates({field.rate})
+      .run([=, &backend](const auto& context) {
+        if (context.scene().precision == Precision::single_precision)
+          return advect<float>(context, backend, field, transport);
+        advect<double>(context, backend, field, transport);
+      });
   return pass;
 }
 

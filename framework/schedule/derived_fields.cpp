@@ -4,7 +4,7 @@
 
 #include "schedule/derived_name.hpp"
 #include "sph/fixed_weights.hpp"
-#include "sph/standard_passes.hpp"
+#include "sph/pair_loops.hpp"
 
 namespace mesogen {
 
@@ -149,28 +149,27 @@ void DerivedFields::run(PairPass& pass) {
 
 template <class Real, int Dim>
 void DerivedFields::run_pair_sums(PairPass& pass) {
+  constexpr auto device = exec::Side::device;
+  // Ghosts keep what they have.
+  const auto write = [](Field& field) { return field.view<Real>(device, exec::Access::read_write); };
   Neighbours<Real, Dim> neighbours{};
-  state_.neighbourhood.fill(neighbours);
-  const exec::Loops<Real>& loops = state_.backend.loops<Real>();
-  const FieldView<Real> volume = state_.fields.at("volume").view<Real>();
-  if (pass.volume) {
-    loops.volumes(neighbours, state_.kernel, volume);
-    return;
-  }
+  state_.neighbourhood.fill(neighbours, device);
+  const exec::PairLoops<Real>& loops = state_.backend.pairs<Real>();
+  Field& volume = state_.fields.at("volume");
+  if (pass.volume) return loops.volumes(neighbours, state_.kernel, write(volume));
   sph::Derivatives<Real, Dim> wanted{};
-  wanted.volume = {volume.base, volume.stride};
+  wanted.volume = std::as_const(volume).view<Real>(device);
   for (const Component& component : pass.components) {
     const int n = wanted.count++;
-    wanted.source[n] = component.source->view<Real>().component(component.index);
+    wanted.source[n] = std::as_const(*component.source).view<Real>(device).component(component.index);
     if (component.gradient != nullptr)
       for (int d = 0; d < Dim; ++d)
-        wanted.gradient[n][d] = component.gradient->view<Real>().component(component.index * Dim + d);
-    if (component.laplacian != nullptr)
-      wanted.laplacian[n] = component.laplacian->view<Real>().component(component.index);
+        wanted.gradient[n][d] = write(*component.gradient).component(component.index * Dim + d);
+    if (component.laplacian != nullptr) wanted.laplacian[n] = write(*component.laplacian).component(component.index);
   }
   wanted.consistent = form_.consistent_laplacian;
   const bool new_positions = pass.positions != state_.neighbourhood.version();
-  if (pass.correction != nullptr && (new_positions || !pass.weights)) wanted.correction = pass.correction->view<Real>();
+  if (pass.correction != nullptr && (new_positions || !pass.weights)) wanted.correction = write(*pass.correction);
   if (!pass.weights || wanted.correction) loops.derivatives(neighbours, state_.kernel, wanted);
   if (!pass.weights) return;
   auto& weights = pass.weights->of<Real>();

@@ -18,7 +18,8 @@ bool contains(const std::vector<std::string>& list, std::string_view what) {
 
 class ScheduledContext final : public PassContext {
  public:
-  ScheduledContext(State& state, const ScheduledPass& scheduled) : state_(state), scheduled_(scheduled) {}
+  ScheduledContext(State& state, const ScheduledPass& scheduled)
+      : state_(state), scheduled_(scheduled), side_(scheduled.on_device ? exec::Side::device : exec::Side::host) {}
 
   [[nodiscard]] bool has(std::string_view field) const override { return state_.fields.find(field) != nullptr; }
   [[nodiscard]] const sph::SmoothingKernel& kernel() const override { return state_.kernel; }
@@ -27,9 +28,9 @@ class ScheduledContext final : public PassContext {
     return scheduled_.on_device ? state_.backend.space() : exec::Space{};
   }
   [[nodiscard]] Index count() const override { return state_.particles.count(); }
-  [[nodiscard]] const double* position(int axis) const override { return state_.particles.position[axis].data(); }
+  [[nodiscard]] const double* position(int axis) const override { return state_.particles.position[axis].on(side_); }
   [[nodiscard]] std::uint64_t positions_version() const override { return state_.order.version(); }
-  [[nodiscard]] const std::int64_t* id() const override { return state_.particles.id.data(); }
+  [[nodiscard]] const std::int64_t* id() const override { return state_.particles.id.on(side_); }
   [[nodiscard]] double time() const override { return state_.time; }
   [[nodiscard]] double step_size() const override { return state_.step_size; }
   [[nodiscard]] std::int64_t step() const override { return state_.step; }
@@ -40,12 +41,13 @@ class ScheduledContext final : public PassContext {
     if (!contains(pass.own_reads, field) && !contains(pass.neighbour_reads, field) &&
         !contains(pass.optional_reads, field))
       refuse("reads", field, "reads, reads_neighbours or reads_if_present");
-    return raw(field, element_size);
+    return raw(field, element_size, exec::Access::read);
   }
   [[nodiscard]] RawField writable(std::string_view field, std::size_t element_size) const override {
     if (!contains(scheduled_.pass.write_list, field) && !contains(scheduled_.pass.accumulate_list, field))
       refuse("writes", field, "writes or accumulates");
-    return raw(field, element_size);
+    // Also what it writes: ghosts, and what packs read behind the last particle, are for others to write.
+    return raw(field, element_size, exec::Access::read_write);
   }
   void fill_neighbours(void* grid, std::size_t element_size, int dimension) const override {
     if (dimension != state_.scene.dimension || (element_size == sizeof(float)) != state_.single())
@@ -59,10 +61,10 @@ class ScheduledContext final : public PassContext {
                   "it asks for neighbours, and declares none that it reads: name the fields that it reads at them in "
                   "the pass's reads_neighbours");
     const Neighbourhood& all = state_.neighbourhood;
-    if (dimension == 2 && state_.single()) all.fill(*static_cast<Neighbours<float, 2>*>(grid));
-    if (dimension == 2 && !state_.single()) all.fill(*static_cast<Neighbours<double, 2>*>(grid));
-    if (dimension == 3 && state_.single()) all.fill(*static_cast<Neighbours<float, 3>*>(grid));
-    if (dimension == 3 && !state_.single()) all.fill(*static_cast<Neighbours<double, 3>*>(grid));
+    if (dimension == 2 && state_.single()) all.fill(*static_cast<Neighbours<float, 2>*>(grid), side_);
+    if (dimension == 2 && !state_.single()) all.fill(*static_cast<Neighbours<double, 2>*>(grid), side_);
+    if (dimension == 3 && state_.single()) all.fill(*static_cast<Neighbours<float, 3>*>(grid), side_);
+    if (dimension == 3 && !state_.single()) all.fill(*static_cast<Neighbours<double, 3>*>(grid), side_);
   }
 
  private:
@@ -70,7 +72,7 @@ class ScheduledContext final : public PassContext {
     throw Error(ExitCode::plugin_refused, "it " + does + " the field '" + std::string(field) +
                                               "', which it did not declare: name it in the pass's " + declarations);
   }
-  [[nodiscard]] RawField raw(std::string_view name, std::size_t element_size) const {
+  [[nodiscard]] RawField raw(std::string_view name, std::size_t element_size, exec::Access access) const {
     Field* const field = state_.fields.find(name);
     if (field == nullptr)
       throw Error(ExitCode::plugin_refused,
@@ -79,15 +81,16 @@ class ScheduledContext final : public PassContext {
       throw Error(ExitCode::plugin_refused, "it asks for the field '" + std::string(name) +
                                                 "' in another precision: take that of its class, Real");
     if (field->is_double()) {
-      const auto view = field->view<double>();
+      const auto view = field->view<double>(side_, access);
       return {view.base, view.stride};
     }
-    const auto view = field->view<float>();
+    const auto view = field->view<float>(side_, access);
     return {view.base, view.stride};
   }
 
   State& state_;
   const ScheduledPass& scheduled_;
+  exec::Side side_;  // where its code runs
 };
 
 }  // namespace
@@ -97,11 +100,11 @@ Executor::Executor(State& state, StepGraph& graph, DerivedFields& derived)
   for (ScheduledPass& scheduled : graph_.passes())
     if (scheduled.pass.phase == Phase::observe) observed_.push_back({&scheduled, 0, {}});
   // Whose code runs on the host looks for neighbours there.
-  if (!state_.backend.on_host())
-    state_.neighbourhood.find_blocks_for_host(
-        std::any_of(graph_.passes().begin(), graph_.passes().end(), [](const ScheduledPass& scheduled) {
-          return !scheduled.on_device && !scheduled.pass.neighbour_reads.empty() && !scheduled.pruned();
-        }));
+  state_.neighbourhood.find_blocks_for_host(
+      std::any_of(graph_.passes().begin(), graph_.passes().end(), [](const ScheduledPass& scheduled) {
+        const bool sums = !scheduled.pass.neighbour_reads.empty() || scheduled.pass.beside_sums;
+        return !scheduled.on_device && sums && !scheduled.pruned();
+      }));
 }
 
 void Executor::run(Phase phase, const std::vector<bool>& reader_due) {
@@ -148,7 +151,6 @@ void Executor::run(ScheduledPass& scheduled) {
     prepare(field, purpose);
     state_.boundary_values.refresh(state_.fields.at(field));
   }
-  if (!scheduled.on_device) state_.backend.finish();
   const Span span(scheduled.counter, state_.clock.trace);
   const PluginCall call{.plugin = scheduled.plugin,
                         .call = "pass",
@@ -174,7 +176,6 @@ void Executor::prepare(const std::string& field, Purpose purpose) {
 
 void Executor::prepare(const std::vector<std::string>& fields) {
   for (const std::string& field : fields) prepare_for_reader(field);
-  state_.backend.finish();
 }
 
 void Executor::prepare_for_reader(const std::string& field) {

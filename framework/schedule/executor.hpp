@@ -23,7 +23,7 @@ class MESOGEN_EXPORT Executor {
   /// One pass by itself, a member of the graph's works; what it adds to keeps its value before.
   void run_alone(ScheduledPass& scheduled);
   /// Brings what a reader reads up to date, as far as that follows from the state alone: derived fields, and what
-  /// passes of Phase::observe make. The host may look at it then.
+  /// passes of Phase::observe make.
   void prepare(const std::vector<std::string>& fields);
 
  private:

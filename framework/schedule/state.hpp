@@ -20,7 +20,7 @@ namespace mesogen {
 
 /// The state of a run, which passes work on: where the particles are, what they carry, and when it is.
 struct MESOGEN_EXPORT State {
-  /// On a device the particles lie in the backend's memory.
+  /// The arrays of the particles are made with the backend's memory.
   State(Scene scene, sph::SmoothingKernel kernel, const Boundary& boundary, Particles particles,
         const Backend& backend = Backend::host());
   State(const State&) = delete;

@@ -95,7 +95,7 @@ void StepGraph::add_advection(const Backend& backend) {
     if (!has_rate(advance) || !(carried || transport_.fixed)) continue;
     ScheduledPass scheduled;
     scheduled.owner = "framework";
-    scheduled.pass = backend.advection(entry.declaration, transport_);
+    scheduled.pass = advection_pass(entry.declaration, transport_, backend);
     scheduled.on_device = true;
     scheduled.for_observer.assign(readers_.size(), false);
     scheduled.counter = {scheduled.title()};

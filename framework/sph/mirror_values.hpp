@@ -1,6 +1,6 @@
 #pragma once
 
-#include "exec/backend.hpp"
+#include "ghosts/views.hpp"
 #include "mesogen/neighbours/neighbours.hpp"
 #include "mesogen/particles/field_view.hpp"
 #include "mesogen/sph/kernel_function.hpp"

@@ -3,6 +3,9 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <utility>
+
+#include "particles/field_loops.hpp"
 
 namespace mesogen {
 
@@ -10,18 +13,22 @@ namespace {
 
 constexpr double most = std::numeric_limits<double>::max();
 
+constexpr auto device = exec::Side::device;
+// Also where particles are written alone: ghosts keep what they have.
+constexpr auto read_write = exec::Access::read_write;
+
 /// Looks for the largest squared length.
-exec::Finding look_for_largest(const Backend& backend, Field& field, Index count) {
+exec::Reduction look_for_largest(const Backend& backend, const Field& field, Index count) {
   // Of an advanced field the doubles: what a step found must be found again when a run is resumed.
   if (field.is_double() || field.integrated())
-    return backend.loops<double>().largest_square(field.master(), field.components(), count);
-  return backend.loops<float>().largest_square(field.view<float>(), field.components(), count);
+    return backend.fields<double>().largest_square(field.master(device), field.components(), count);
+  return backend.fields<float>().largest_square(field.view<float>(device), field.components(), count);
 }
 
-double largest_length(const Backend& backend, Field* field, Index count) {
+double largest_length(const Backend& backend, const Field* field, Index count) {
   if (field == nullptr) return 0.0;
-  const exec::Finding largest = look_for_largest(backend, *field, count);
-  backend.collect();
+  const exec::Reduction largest = look_for_largest(backend, *field, count);
+  backend.wait();
   return std::sqrt(backend.found(largest));
 }
 
@@ -46,32 +53,32 @@ Integrator::Integrator(State& state, const Catalogue& catalogue, const Transport
 }
 
 template <class Real>
-exec::Finding Integrator::advance(const Advanced& one, Field& from, double by) {
-  const exec::Finding largest =
-      state_.backend.loops<Real>().advance({from.master(), one.rate->view<Real>(), by, one.field->master(),
-                                            one.field->view<Real>(), one.field->components()},
-                                           state_.particles.count());
+exec::Reduction Integrator::advance(const Advanced& one, Field& from, double by) {
+  const exec::Reduction largest = state_.backend.fields<Real>().advance(
+      {std::as_const(from).master(device), std::as_const(*one.rate).view<Real>(device), by,
+       one.field->master(device, read_write), one.field->view<Real>(device, read_write), one.field->components()},
+      state_.particles.count());
   ++one.field->version;
   return largest;
 }
 
-exec::Finding Integrator::advance(const Advanced& one, Field& from, double by) {
+exec::Reduction Integrator::advance(const Advanced& one, Field& from, double by) {
   return state_.single() ? advance<float>(one, from, by) : advance<double>(one, from, by);
 }
 
 template <class Real>
-exec::Finding Integrator::move(double by, double shift_by) {
-  exec::Moving<Real> moving{};
-  for (int d = 0; d < state_.scene.dimension; ++d) moving.position[d] = state_.particles.position[d].data();
-  moving.velocity = velocity_->master();
+exec::Reduction Integrator::move(double by, double shift_by) {
+  exec::MoveArguments<Real> moving{};
+  for (int d = 0; d < state_.scene.dimension; ++d) moving.position[d] = state_.particles.position[d].device(read_write);
+  moving.velocity = std::as_const(*velocity_).master(device);
   moving.by = by;
-  if (shift_ != nullptr && shift_by != 0.0) moving.shift = shift_->view<Real>();
+  if (shift_ != nullptr && shift_by != 0.0) moving.shift = std::as_const(*shift_).view<Real>(device);
   moving.shift_by = shift_by;
   moving.dimension = state_.scene.dimension;
-  return state_.backend.loops<Real>().move(moving, state_.particles.count());
+  return state_.backend.fields<Real>().move(moving, state_.particles.count());
 }
 
-std::optional<exec::Finding> Integrator::move(double by, double shift_by) {
+std::optional<exec::Reduction> Integrator::move(double by, double shift_by) {
   if (velocity_ == nullptr || fixed_) return {};
   state_.order.mark_moved();
   return state_.single() ? move<float>(by, shift_by) : move<double>(by, shift_by);
@@ -92,19 +99,19 @@ void Integrator::predict(double step_size) {
 }
 
 template <class Real>
-exec::Finding Integrator::move_by_passes(double step_size, bool to_midpoint) {
-  exec::MovingByPasses<Real> moving{};
-  for (int d = 0; d < state_.scene.dimension; ++d) moving.position[d] = state_.particles.position[d].data();
-  moving.way = way_to_midpoint_->master();
-  moving.velocity = velocity_->view<Real>();
-  if (shift_ != nullptr && !to_midpoint) moving.shift = shift_->view<Real>();
+exec::Reduction Integrator::move_by_passes(double step_size, bool to_midpoint) {
+  exec::MoveByPassesArguments<Real> moving{};
+  for (int d = 0; d < state_.scene.dimension; ++d) moving.position[d] = state_.particles.position[d].device(read_write);
+  moving.way = way_to_midpoint_->master(device, read_write);
+  moving.velocity = std::as_const(*velocity_).view<Real>(device);
+  if (shift_ != nullptr && !to_midpoint) moving.shift = std::as_const(*shift_).view<Real>(device);
   moving.step_size = step_size;
   moving.to_midpoint = to_midpoint;
   moving.dimension = state_.scene.dimension;
-  return state_.backend.loops<Real>().move(moving, state_.particles.count());
+  return state_.backend.fields<Real>().move(moving, state_.particles.count());
 }
 
-exec::Finding Integrator::move_by_passes(double step_size, bool to_midpoint) {
+exec::Reduction Integrator::move_by_passes(double step_size, bool to_midpoint) {
   state_.order.mark_moved();
   return state_.single() ? move_by_passes<float>(step_size, to_midpoint)
                          : move_by_passes<double>(step_size, to_midpoint);
@@ -115,20 +122,20 @@ Motion Integrator::correct(double step_size) {
   // Where passes advance the velocity, what it will be is found in the phase that follows: the largest is that of the
   // midpoint.
   const bool by_passes = way_to_midpoint_ != nullptr;
-  std::optional<exec::Finding> nowhere;
+  std::optional<exec::Reduction> nowhere;
   if (by_passes) {
     nowhere = move_by_passes(step_size, false);
   } else if (midpoint) {
     nowhere = move(step_size / 2.0, step_size);
   }
-  std::vector<exec::Finding> largest;
+  std::vector<exec::Reduction> largest;
   for (const Advanced& one : advanced_) {
     Field& from = one.start != nullptr ? *one.start : *one.field;
     largest.push_back(advance(one, from, one.predicted && !midpoint ? step_size / 2.0 : step_size));
   }
   if (!by_passes && !midpoint) nowhere = move(step_size / 2.0, step_size);
   const Backend& backend = state_.backend;
-  backend.collect();
+  backend.wait();
 
   Motion motion;
   motion.finite = !nowhere || backend.found(*nowhere) == 0.0;
@@ -148,10 +155,11 @@ Motion Integrator::correct(double step_size) {
 template <class Real>
 void Integrator::look(double step_size, Motion& motion) const {
   const Index count = state_.particles.count();
-  const exec::Finding change = state_.backend.loops<Real>().largest_change(
-      velocity_->view<Real>(), way_to_midpoint_->master(), step_size, velocity_->components(), count);
-  const exec::Finding speed = look_for_largest(state_.backend, *velocity_, count);
-  state_.backend.collect();
+  const exec::Reduction change = state_.backend.fields<Real>().largest_change(
+      std::as_const(*velocity_).view<Real>(device), std::as_const(*way_to_midpoint_).master(device), step_size,
+      velocity_->components(), count);
+  const exec::Reduction speed = look_for_largest(state_.backend, *velocity_, count);
+  state_.backend.wait();
   motion.fastest = std::sqrt(state_.backend.found(speed));
   motion.largest_acceleration = std::sqrt(state_.backend.found(change)) / step_size;
   motion.finite = motion.finite && std::isfinite(motion.fastest) && std::isfinite(motion.largest_acceleration);
@@ -175,9 +183,10 @@ double Integrator::fastest() const { return largest_length(state_.backend, veloc
 
 Integrator::Bad Integrator::find_bad() const {
   const auto bad_in = [&](const Field& field) {
+    const FieldReader value = field.reader();
     for (Index i = 0; i < state_.particles.count(); ++i)
       for (int c = 0; c < field.components(); ++c)
-        if (!(field.value(c, i) * field.value(c, i) <= most)) return i;
+        if (!(value(c, i) * value(c, i) <= most)) return i;
     return Index(-1);
   };
   for (const Advanced& one : advanced_)
@@ -186,9 +195,10 @@ Integrator::Bad Integrator::find_bad() const {
   for (const Field* const field : {velocity_, shift_})
     if (field != nullptr)
       if (const Index i = bad_in(*field); i >= 0) return {field->name(), i};
+  const auto position = exec::pointers(state_.particles.position, exec::Side::host);
   for (Index i = 0; i < state_.particles.count(); ++i)
     for (int d = 0; d < state_.scene.dimension; ++d)
-      if (!(std::abs(state_.particles.position[d][i]) <= most)) return {"position", i};
+      if (!(std::abs(position[d][i]) <= most)) return {"position", i};
   return {};
 }
 

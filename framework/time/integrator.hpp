@@ -75,18 +75,18 @@ class MESOGEN_EXPORT Integrator {
     Field* start;  // with TimeScheme::midpoint: a predicted field at the start of the step
     double largest = 0.0;
   };
-  // f = from + by * rate; see Loops::advance for what is found.
+  // f = from + by * rate; see FieldLoops::advance for what is found.
   template <class Real>
-  exec::Finding advance(const Advanced& one, Field& from, double by);
-  exec::Finding advance(const Advanced& one, Field& from, double by);
+  exec::Reduction advance(const Advanced& one, Field& from, double by);
+  exec::Reduction advance(const Advanced& one, Field& from, double by);
   // Nothing where nothing moves.
   template <class Real>
-  exec::Finding move(double by, double shift_by);
-  std::optional<exec::Finding> move(double by, double shift_by);
+  exec::Reduction move(double by, double shift_by);
+  std::optional<exec::Reduction> move(double by, double shift_by);
   // The same with a velocity that passes made, from where the step started.
   template <class Real>
-  exec::Finding move_by_passes(double step_size, bool to_midpoint);
-  exec::Finding move_by_passes(double step_size, bool to_midpoint);
+  exec::Reduction move_by_passes(double step_size, bool to_midpoint);
+  exec::Reduction move_by_passes(double step_size, bool to_midpoint);
   template <class Real>
   void look(double step_size, Motion& motion) const;
 

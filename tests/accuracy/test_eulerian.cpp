@@ -29,7 +29,8 @@ double error_of_wave(int across) {
   auto& state = run.state();
   auto& velocity = state.fields.at("velocity");
   for (mesogen::Index i = 0; i < state.particles.count(); ++i)
-    velocity.set(1, i, amplitude * std::cos(2.0 * pi * state.particles.position[0][static_cast<std::size_t>(i)]));
+    velocity.set(1, i,
+                 amplitude * std::cos(2.0 * pi * state.particles.position[0].host()[static_cast<std::size_t>(i)]));
   ++velocity.version;
   run.stepper().start();
   run.run_to(end);

@@ -165,8 +165,8 @@ TEST(Invariance, RigidRotationTurnsTheDirectorWithTheFluid) {
   mesogen::State& state = run.state();
   mesogen::Field& velocity = state.fields.at("velocity");
   for (mesogen::Index i = 0; i < state.particles.count(); ++i) {
-    velocity.set(0, i, -w0 * (state.particles.position[1][static_cast<std::size_t>(i)] - length / 2));
-    velocity.set(1, i, w0 * (state.particles.position[0][static_cast<std::size_t>(i)] - length / 2));
+    velocity.set(0, i, -w0 * (state.particles.position[1].host()[static_cast<std::size_t>(i)] - length / 2));
+    velocity.set(1, i, w0 * (state.particles.position[0].host()[static_cast<std::size_t>(i)] - length / 2));
   }
   ++velocity.version;
   run.stepper().executor().run(mesogen::Phase::rates, {false});

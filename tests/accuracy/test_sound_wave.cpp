@@ -23,7 +23,7 @@ CaseRun standing_wave(int across) {
       .read(R"("velocity", "density", "volume", "velocity_gradient", "internal_energy")");
   CaseRun run(text);
   Field& compression = run.state().fields.at("compression");
-  const auto& x = run.state().particles.position[0];
+  const auto x = run.state().particles.position[0].host();
   for (Index i = 0; i < run.state().particles.count(); ++i)
     compression.set(0, i, amplitude * std::cos(2.0 * std::numbers::pi * x[static_cast<std::size_t>(i)]));
   ++compression.version;

@@ -95,10 +95,20 @@ class Misbehaving final : public Physics {
     if (misdeed_ == "reads undeclared") (void)context.read<Real>("density");
     if (misdeed_ == "writes undeclared") (void)context.write<Real>("velocity");
     if (misdeed_ == "reads in another precision") (void)context.read<Other>("velocity");
+    if (misdeed_ == "keeps a pointer") keep_pushing(context);
     if (misdeed_ == "neighbours in another precision") (void)context.neighbours<Other, Dim>();
   }
 
+  // By the velocity of whoever stands at this place in storage, as it was found at the first time.
+  void keep_pushing(const PassContext& context) const {
+    if (!kept_) kept_ = context.read<Real>("velocity");
+    const auto acceleration = context.write<Real>("acceleration");
+    exec::for_each(context.space(), context.count(),
+                   [=, velocity = kept_](Index i) { acceleration(0, i) -= Real(1e-3) * velocity(0, i); });
+  }
+
   bool late_ = false;
+  mutable FieldView<const Real> kept_;
   std::string misdeed_;
   double after_ = 0.0;
 };

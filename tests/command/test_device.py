@@ -1,7 +1,7 @@
 """Runs on a CUDA device: that they agree with those on the host, and what is said where there is none.
 
 Where there is no device the code for it runs on the host (MESOGEN_CUDA_ON_HOST = 1): the same libraries, loops and
-order of work, but for memory and the start of kernels."""
+order of work, with memory of its own, in which what is out of date is no number; but for the start of kernels."""
 
 import json
 import os
@@ -33,6 +33,8 @@ SCENES = {
     "pairs": CASE.replace("activity = 0.05", 'activity = 0.05\nform = "conservative"') +
              '[physics.elastic]\ntype = "elastic_stress"\n',
     "a flow that computes on the host": CASE.replace('"wcsph"', '"incompressible"'),
+    "a flow that computes on the host, beside pair sums":
+        CASE.replace('"wcsph"', '"incompressible"').replace("activity = 0.05", 'activity = 0.05\nform = "conservative"'),
     "half steps": CASE.replace("end = 0.1", 'end = 0.1\nscheme = "half_steps"'),
 }
 
@@ -106,6 +108,27 @@ class OnCuda(CommandTest):
             self.assertEqual("has code for CUDA too" in out, cuda)
             out, _ = self.mesogen("plugin", "info", plugin, "--json")
             self.assertEqual(json.loads(out)["plugins"][0]["cuda"], cuda)
+
+    def test_observers_see_the_newest_values(self):
+        observers = "".join(f'[observers.{name}]\ntype = "{name}"\nevery = 1\n'
+                            for name in ("pathlines", "flow_statistics", "mixing"))
+        case = self.write_case(MOVING + '[colour]\ntype = "quarter"\n' + observers)
+        self.mesogen("run", case, "--output", "host")
+        self.on_cuda("run", case, "--output", "cuda", *CUDA)
+        with h5py.File(self.path("host", "results.h5")) as host, h5py.File(self.path("cuda", "results.h5")) as cuda:
+            for name in ("pathlines/path", "flow_statistics/v_rms", "mixing/mixing_index"):
+                values = numpy.asarray(host[f"observables/{name}/value"])
+                self.assertGreater(len(values), 100)
+                numpy.testing.assert_allclose(cuda[f"observables/{name}/value"], values, rtol=1e-6, atol=1e-8)
+
+    @unittest.skipIf(DEVICE, "there is a CUDA device here")
+    def test_too_little_memory(self):
+        _, err = self.mesogen("run", self.write_case(), *CUDA, code=1, MESOGEN_CUDA_ON_HOST="1",
+                              MESOGEN_CUDA_ON_HOST_BYTES="20000")
+        self.assertRegex(err, r"the emulated device has too little memory: an array needs \S+ MB, and of its 0\.02 MB only "
+                              r"\S+ MB are free, of which a tenth is left alone \(this run holds \S+ MB there\)\. Take "
+                              r"fewer particles \(a larger particles\.spacing\), run\.precision = \"single\", or "
+                              r"run\.device = \"cpu\"")
 
     def test_replay_needs_no_device(self):
         self.on_cuda("run", self.write_case(), "--output", "out", *CUDA)

@@ -95,17 +95,24 @@ Result compute(int across, bool device) {
   Particles particles;
   std::mt19937_64 generator(7);
   std::uniform_real_distribution<double> jitter(-0.2 * scene.spacing, 0.2 * scene.spacing);
+  std::vector<std::int64_t> id;
+  std::array<std::vector<double>, 2> lattice;
   for (int i = 0; i < count; ++i) {
-    particles.id.push_back(i);
-    particles.position[0].push_back((i % across + 0.5) * scene.spacing + jitter(generator));
-    particles.position[1].push_back((i / across + 0.5) * scene.spacing + jitter(generator));
-    for (int d = 0; d < 2; ++d) particles.images[d].push_back(0);
+    id.push_back(i);
+    lattice[0].push_back((i % across + 0.5) * scene.spacing + jitter(generator));
+    lattice[1].push_back((i / across + 0.5) * scene.spacing + jitter(generator));
+  }
+  particles.id.assign(id);
+  for (int d = 0; d < 2; ++d) {
+    particles.position[d].assign(lattice[d]);
+    particles.images[d].resize(id.size());
   }
   const Wrapped boundary;
   Neighbourhood neighbourhood(scene, boundary);
   neighbourhood.update(particles);
+  const auto position = exec::pointers(particles.position, exec::Side::host);
   Neighbours<Real, 2> host{};
-  neighbourhood.fill(host);
+  neighbourhood.fill(host, exec::Side::host);
 
   // Everything that the grid points to, where the passes run.
   const std::size_t stored = static_cast<std::size_t>(count) + 16;
@@ -126,8 +133,8 @@ Result compute(int across, bool device) {
   std::vector<Real> velocity(2 * stored, Real(0));
   std::vector<Real> pressure(stored, Real(0));
   for (int i = 0; i < count; ++i) {
-    const double px = particles.position[0][i];
-    const double py = particles.position[1][i];
+    const double px = position[0][i];
+    const double py = position[1][i];
     velocity[i] = Real(std::sin(2 * pi * px) * std::cos(2 * pi * py));
     velocity[stored + i] = Real(std::cos(2 * pi * px));
     pressure[i] = Real(std::sin(2 * pi * py));
@@ -197,8 +204,7 @@ Result compute(int across, bool device) {
     // The host's gradients are right: a second-order operator on a wave of 2 pi.
     double worst = 0.0;
     for (int i = 0; i < count; ++i) {
-      const double exact =
-          2 * pi * std::cos(2 * pi * particles.position[0][i]) * std::cos(2 * pi * particles.position[1][i]);
+      const double exact = 2 * pi * std::cos(2 * pi * position[0][i]) * std::cos(2 * pi * position[1][i]);
       worst = std::max(worst, std::abs(result.gradient[i] - exact));
     }
     std::printf("%d^2, %s: worst error of a gradient on the host %.2e of %.2f\n", across,

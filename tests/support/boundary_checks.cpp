@@ -46,11 +46,10 @@ Points scattered(const Scene& scene, int count, unsigned seed) {
 GhostList ghosts_of(const Boundary& boundary, const Scene& scene, const Points& points, double reach) {
   const Backend& backend = Backend::host();
   Ghosts ghosts(images_of(scene, boundary), backend);
-  const std::array<exec::Array<double>, 3> position{exec::Array<double>(points[0].begin(), points[0].end()),
-                                                    exec::Array<double>(points[1].begin(), points[1].end()),
-                                                    exec::Array<double>(points[2].begin(), points[2].end())};
+  auto position = exec::axis_arrays<double>(nullptr);
+  for (std::size_t d = 0; d < 3; ++d) position[d].assign(points[d]);
   ghosts.build(scene, CellGrid(scene, boundary, reach), position, reach);
-  const GhostView view = ghosts.view(0);
+  const GhostView view = ghosts.view(0, exec::Side::host);
   GhostList list;
   for (Index n = 0; n < ghosts.count(); ++n) {
     list.source.push_back(view.source[n]);

@@ -42,10 +42,12 @@ void CaseRun::run_steps(int steps) {
 
 std::vector<double> CaseRun::field(const std::string& name, int component) {
   stepper_->executor().prepare(std::vector{name});
-  return by_id(state().particles.id, StateView(state()).values(name, component));
+  return by_id(state().particles.id.host(), StateView(state()).values(name, component));
 }
 
-std::vector<double> CaseRun::path(int axis) { return by_id(state().particles.id, StateView(state()).unwrapped(axis)); }
+std::vector<double> CaseRun::path(int axis) {
+  return by_id(state().particles.id.host(), StateView(state()).unwrapped(axis));
+}
 
 Sample CaseRun::sample(const std::string& name) {
   const auto observer = built_plugins().make_observer(name);

@@ -32,11 +32,12 @@ Scene scene_of(const ParticleScene::Options& options, std::size_t count) {
 
 Particles particles_at(const std::array<std::vector<double>, 2>& points) {
   Particles particles;
-  particles.id.resize(points[0].size());
-  std::iota(particles.id.begin(), particles.id.end(), 0);
+  particles.id.resize_for_overwrite(points[0].size());
+  const auto id = particles.id.host(exec::Access::write);
+  std::iota(id.begin(), id.end(), 0);
   for (std::size_t d = 0; d < 2; ++d) {
-    particles.position[d].assign(points[d].begin(), points[d].end());
-    particles.images[d].assign(points[d].size(), 0);
+    particles.position[d].assign(points[d]);
+    particles.images[d].resize(points[d].size());
   }
   return particles;
 }
@@ -66,7 +67,7 @@ void ParticleScene::set(const std::function<double(double x, double y)>& functio
   const Particles& particles = state_->particles;
   for (Index i = 0; i < particles.count(); ++i) {
     const auto n = static_cast<std::size_t>(i);
-    f.set(0, i, function(particles.position[0][n], particles.position[1][n]));
+    f.set(0, i, function(particles.position[0].host()[n], particles.position[1].host()[n]));
   }
   ++f.version;
 }
@@ -75,7 +76,7 @@ std::vector<double> ParticleScene::derived(const std::string& name, int componen
   state_->settle();
   fields_->make(name);
   const Field& field = state_->fields.at(name);
-  const auto& id = state_->particles.id;
+  const auto id = state_->particles.id.host();
   std::vector<double> values(id.size());
   for (std::size_t i = 0; i < id.size(); ++i)
     values[static_cast<std::size_t>(id[i])] = field.value(component, static_cast<Index>(i));
@@ -92,8 +93,8 @@ std::int64_t ParticleScene::weights_found() const {
 void ParticleScene::move(const std::function<std::array<double, 2>(std::int64_t id)>& by) {
   Particles& particles = state_->particles;
   for (std::size_t i = 0; i < particles.id.size(); ++i) {
-    const auto shift = by(particles.id[i]);
-    for (std::size_t d = 0; d < 2; ++d) particles.position[d][i] += shift[d];
+    const auto shift = by(particles.id.host()[i]);
+    for (std::size_t d = 0; d < 2; ++d) particles.position[d].host(exec::Access::read_write)[i] += shift[d];
   }
   state_->mark_moved();
 }

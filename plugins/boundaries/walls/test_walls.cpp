@@ -159,7 +159,7 @@ boundary = { type = "walls", velocity_low = 0.0, velocity_high = 1.0 })");
   const auto y = run.path(1);
   Field& velocity = run.state().fields.at("velocity");
   for (Index i = 0; i < run.state().particles.count(); ++i) {
-    velocity.set(0, i, run.state().particles.position[1][i]);
+    velocity.set(0, i, run.state().particles.position[1].host()[static_cast<std::size_t>(i)]);
     velocity.set(1, i, 0.0);
   }
   ++velocity.version;

@@ -77,7 +77,9 @@ double alternating_density_left(double diffusion) {
   CaseRun run(text);
   Field& compression = run.state().fields.at("compression");
   const auto sign = [&](Index i) {
-    const auto cell = [&](int axis) { return static_cast<int>(run.state().particles.position[axis][i] * 16.0); };
+    const auto cell = [&](int axis) {
+      return static_cast<int>(run.state().particles.position[axis].host()[static_cast<std::size_t>(i)] * 16.0);
+    };
     return (cell(0) + cell(1)) % 2 == 0 ? 1.0 : -1.0;
   };
   std::vector<double> start;

@@ -11,18 +11,20 @@
 #include <random>
 #include <vector>
 
-#include "exec/backend.hpp"
-#include "exec/largest.hpp"
+#include "exec/reductions.hpp"
+#include "ghosts/ghost_loops.hpp"
 #include "ghosts/rule_table.hpp"
 #include "neighbours/cell_grid.hpp"
+#include "neighbours/cell_loops.hpp"
+#include "particles/field_loops.hpp"
 
 namespace {
 
 using namespace mesogen;
 
-double found(exec::Finding finding) {
-  Backend::host().collect();
-  return Backend::host().found(finding);
+double found(exec::Reduction reduction) {
+  Backend::host().wait();
+  return Backend::host().found(reduction);
 }
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -37,7 +39,7 @@ TEST(Loops, AdvanceInDoubleAndRoundForPasses) {
   const std::vector<float> rate{0.5F, -1.0F, 0.25F, 2.0F};
   std::vector<double> exact(4);
   std::vector<float> rounded(4);
-  const auto largest = Backend::host().loops<float>().advance(
+  const auto largest = Backend::host().fields<float>().advance(
       {{from.data(), 2}, {rate.data(), 2}, 0.1, {exact.data(), 2}, {rounded.data(), 2}, 2}, 2);
   for (std::size_t n = 0; n < 4; ++n) {
     EXPECT_DOUBLE_EQ(exact[n], from[n] + 0.1 * static_cast<double>(rate[n]));
@@ -64,7 +66,7 @@ TEST(Loops, SubnormalNumbersAreZeroWithinALoopAndAgainThemselvesBehindIt) {
 }
 
 TEST(Loops, WhatIsNotANumberIsInfinitelyLarge) {
-  const auto& loops = Backend::host().loops<double>();
+  const auto& loops = Backend::host().fields<double>();
   const auto largest = [&](const std::vector<double>& x) {
     return found(loops.largest_square({x.data(), 300}, 1, 300));
   };
@@ -87,7 +89,7 @@ TEST(Loops, WhatIsNotANumberIsInfinitelyLarge) {
 TEST(Loops, BoundsOfAVectorAreThoseOfItsLength) {
   const std::vector<float> values{0.6F, 3.0F, 0.8F, 4.0F};  // of lengths 1 and 5
   const auto outside = [&](double lowest, double highest) {
-    return found(Backend::host().loops<float>().is_outside({values.data(), 2}, 2, 2, lowest, highest)) > 0.0;
+    return found(Backend::host().fields<float>().is_outside({values.data(), 2}, 2, 2, lowest, highest)) > 0.0;
   };
   EXPECT_FALSE(outside(0.9, 5.1));
   EXPECT_TRUE(outside(0.9, 4.9));
@@ -98,17 +100,17 @@ TEST(Loops, MoveTellsOfAParticleThatIsNowhere) {
   std::vector<double> x{1.0, 2.0};
   const std::vector<double> velocity{0.5, -0.5};
   const std::vector<double> shift{0.0, 8.0};
-  exec::Moving<double> moving{};
+  exec::MoveArguments<double> moving{};
   moving.position[0] = x.data();
   moving.velocity = {velocity.data(), 2};
   moving.by = 2.0;
   moving.shift = {shift.data(), 2};
   moving.shift_by = 0.25;
   moving.dimension = 1;
-  EXPECT_EQ(found(Backend::host().loops<double>().move(moving, 2)), 0.0);
+  EXPECT_EQ(found(Backend::host().fields<double>().move(moving, 2)), 0.0);
   EXPECT_EQ(x, (std::vector<double>{2.0, 3.0}));
   moving.by = nan;
-  EXPECT_GT(found(Backend::host().loops<double>().move(moving, 2)), 0.0);
+  EXPECT_GT(found(Backend::host().fields<double>().move(moving, 2)), 0.0);
 }
 
 TEST(Loops, GhostsGoByTheRulesOfTheirImages) {
@@ -117,20 +119,20 @@ TEST(Loops, GhostsGoByTheRulesOfTheirImages) {
   const std::vector<std::uint8_t> image{0, 1};
   const FieldView<double> field{values.data(), 4};
   const GhostView ghosts{2, 2, source.data(), image.data(), {}, {}};
-  Backend::host().loops<double>().refresh(ghosts, {}, field, 2);
+  Backend::host().ghosts().refresh(ghosts, {}, field, 2);
   EXPECT_EQ(values, (std::vector<double>{1.0, 2.0, 2.0, 1.0, 10.0, 20.0, 20.0, 10.0}));
   const FieldKind kind{Rank::vector, FieldRole::velocity, 2};
   AffineRule first(kind);
   first.summand(0) = 0.5;
-  const RuleTable diagonal({first, AffineRule::held_at(kind, std::array{0.0, 1.0})}, exec::Memory::host());
-  EXPECT_TRUE(diagonal.view().diagonal);
-  Backend::host().loops<double>().refresh(ghosts, diagonal.view(), field, 2);
+  const RuleTable diagonal({first, AffineRule::held_at(kind, std::array{0.0, 1.0})}, nullptr);
+  EXPECT_TRUE(diagonal.view(exec::Side::host).diagonal);
+  Backend::host().ghosts().refresh(ghosts, diagonal.view(exec::Side::host), field, 2);
   EXPECT_EQ(values, (std::vector<double>{1.0, 2.0, 2.5, -1.0, 10.0, 20.0, 20.0, -8.0}));
   // Along the diagonal the mirror image exchanges x and y, and their signs.
   const AffineRule mirror = AffineRule::reflected(kind, {std::sqrt(0.5), std::sqrt(0.5), 0.0});
-  const RuleTable mixing({mirror, first.after(mirror)}, exec::Memory::host());
-  EXPECT_FALSE(mixing.view().diagonal);
-  Backend::host().loops<double>().refresh(ghosts, mixing.view(), field, 2);
+  const RuleTable mixing({mirror, first.after(mirror)}, nullptr);
+  EXPECT_FALSE(mixing.view(exec::Side::host).diagonal);
+  Backend::host().ghosts().refresh(ghosts, mixing.view(exec::Side::host), field, 2);
   EXPECT_NEAR(values[2], -20.0, 1e-14);
   EXPECT_NEAR(values[6], -2.0, 1e-14);
   EXPECT_NEAR(values[3], -9.5, 1e-14);
@@ -139,8 +141,8 @@ TEST(Loops, GhostsGoByTheRulesOfTheirImages) {
 
 TEST(Loops, RulesThatLeaveAllTheSameTakeNoRoom) {
   const FieldKind kind{Rank::matrix, FieldRole::derived, 2};
-  const RuleTable same({AffineRule(kind), AffineRule(kind)}, exec::Memory::host());
-  EXPECT_FALSE(same.view());
+  const RuleTable same({AffineRule(kind), AffineRule(kind)}, nullptr);
+  EXPECT_FALSE(same.view(exec::Side::host));
 }
 
 TEST(CellLoops, RunningSums) {
@@ -223,15 +225,15 @@ TEST(CellLoops, OrderDoesNotDependOnThreads) {
   omp_set_num_threads(usual);
 }
 
-TEST(Findings, AreNotOverwrittenBeforeTheyAreCollected) {
-  exec::Findings findings;
+TEST(Reductions, AreNotOverwrittenBeforeTheyAreWaitedFor) {
+  exec::Reductions reductions;
   for (int round = 0; round < 3; ++round) {
-    for (int n = 0; n < exec::Findings::size / 2; ++n) findings.take(1);
-    findings.collect({});
+    for (int n = 0; n < exec::Reductions::size / 2; ++n) reductions.take(1);
+    reductions.wait({});
   }
-  for (int n = 0; n < exec::Findings::size; ++n) findings.take(1);
+  for (int n = 0; n < exec::Reductions::size; ++n) reductions.take(1);
   try {
-    findings.take(1);
+    reductions.take(1);
     FAIL() << "more than there is room for";
   } catch (const std::logic_error& error) {
     EXPECT_STREQ(error.what(), "more is looked for at a time than there is room to note");

@@ -55,14 +55,16 @@ TEST_P(ShearedBox, FindsEveryPairOnce) {
   using Pair = std::tuple<std::int64_t, std::int64_t, std::int64_t, std::int64_t>;
   std::vector<Pair> found;
   std::vector<Pair> expected;
+  const std::int64_t* const id = state.particles.id.host().data();
+  const auto at = exec::pointers(state.particles.position, exec::Side::host);
   const auto note = [&](std::vector<Pair>& pairs, Index i, Index j, double x, double y) {
     // To the middle of a part of 1e-6: rounding leaves it where it is.
     if (std::hypot(x, y) < state.scene.support)
-      pairs.emplace_back(state.particles.id[i], state.particles.id[j], std::llround(x * 1e6), std::llround(y * 1e6));
+      pairs.emplace_back(id[i], id[j], std::llround(x * 1e6), std::llround(y * 1e6));
   };
   Neighbours<double, 2> grid{};
-  state.neighbourhood.fill(grid);
-  const GhostView ghosts = state.neighbourhood.ghost_view();
+  state.neighbourhood.fill(grid, exec::Side::host);
+  const GhostView ghosts = state.neighbourhood.ghost_view(exec::Side::host);
   for (Index i = 0; i < state.particles.count(); ++i) {
     for (auto n = grid.block_begin[i]; n < grid.block_begin[i + 1]; ++n) {
       const NeighbourBlock& block = grid.block[n];
@@ -73,7 +75,6 @@ TEST_P(ShearedBox, FindsEveryPairOnce) {
         note(found, i, j < ghosts.first ? j : ghosts.source[j - ghosts.first], way[0], way[1]);
       }
     }
-    const auto& at = state.particles.position;
     for (Index j = 0; j < state.particles.count(); ++j)
       for (int up = -1; up <= 1; ++up)
         for (int across = -2; across <= 2; ++across)
@@ -105,7 +106,7 @@ TEST_P(ShearedBox, ChangesTheVelocityAlone) {
     }
   };
   refresh();
-  const GhostView ghosts = state.neighbourhood.ghost_view();
+  const GhostView ghosts = state.neighbourhood.ghost_view(exec::Side::host);
   ASSERT_GE(ghosts.count, 2 * 12 * 4) << "four rows beyond either face";
   for (Index n = 0; n < ghosts.count; ++n) {
     const double source = ghosts.source[n];

@@ -95,8 +95,8 @@ TEST_P(WallsInside, ContinueALinearField) {
   const State& state = scene.state();
   const double tolerance = precision == Precision::double_precision ? 1e-11 : 1e-4;
   for (std::size_t i = 0; i < state.particles.id.size(); ++i) {
-    const auto id = static_cast<std::size_t>(state.particles.id[i]);
-    const double x = state.particles.position[0][i];
+    const auto id = static_cast<std::size_t>(state.particles.id.host()[i]);
+    const double x = state.particles.position[0].host()[i];
     const bool at_right = std::abs(way(right, x)) < 2 * spacing;
     if (at_right || std::abs(way(left, x)) < 2 * spacing) {
       EXPECT_NEAR(slope[id], at_right ? 1.0 : -1.0, tolerance) << "at x = " << x;

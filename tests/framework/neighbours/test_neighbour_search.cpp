@@ -47,9 +47,10 @@ void visit_runs(const Neighbours<double, 2>& grid, Index i, Form form, const Act
 std::vector<FoundPair> pairs_in_grid(State& state, Form form) {
   state.order.settle();
   Neighbours<double, 2> grid{};
-  state.neighbourhood.fill(grid);
-  const GhostView ghosts = state.neighbourhood.ghost_view();
+  state.neighbourhood.fill(grid, exec::Side::host);
+  const GhostView ghosts = state.neighbourhood.ghost_view(exec::Side::host);
   const auto count = state.particles.count();
+  const auto id = state.particles.id.host();
   const double radius = state.scene.support;
   std::vector<FoundPair> pairs;
   for (Index i = 0; i < count; ++i) {
@@ -59,8 +60,8 @@ std::vector<FoundPair> pairs_in_grid(State& state, Form form) {
         const double y = grid.local[1][i] - up - grid.local[1][j];
         if (std::hypot(x, y) >= radius) continue;
         const Index real = j < count ? j : ghosts.source[j - ghosts.first];
-        pairs.emplace_back(state.particles.id[static_cast<std::size_t>(i)],
-                           state.particles.id[static_cast<std::size_t>(real)], rounded(x, radius), rounded(y, radius));
+        pairs.emplace_back(id[static_cast<std::size_t>(i)], id[static_cast<std::size_t>(real)], rounded(x, radius),
+                           rounded(y, radius));
       }
     });
   }
@@ -70,17 +71,18 @@ std::vector<FoundPair> pairs_in_grid(State& state, Form form) {
 
 /// All pairs of particles and images, tried one by one.
 std::vector<FoundPair> pairs_by_trial(const State& state) {
-  const auto& p = state.particles;
+  const auto id = state.particles.id.host();
+  const auto position = exec::pointers(state.particles.position, exec::Side::host);
   const auto& box = state.scene.box;
   const double radius = state.scene.support;
   std::vector<FoundPair> pairs;
-  for (std::size_t i = 0; i < p.id.size(); ++i) {
-    for (std::size_t j = 0; j < p.id.size(); ++j) {
+  for (std::size_t i = 0; i < id.size(); ++i) {
+    for (std::size_t j = 0; j < id.size(); ++j) {
       for (int across = -2; across <= 2; ++across) {
         for (int up = -2; up <= 2; ++up) {
-          const double x = p.position[0][i] - p.position[0][j] + across * box[0];
-          const double y = p.position[1][i] - p.position[1][j] + up * box[1];
-          if (std::hypot(x, y) < radius) pairs.emplace_back(p.id[i], p.id[j], rounded(x, radius), rounded(y, radius));
+          const double x = position[0][i] - position[0][j] + across * box[0];
+          const double y = position[1][i] - position[1][j] + up * box[1];
+          if (std::hypot(x, y) < radius) pairs.emplace_back(id[i], id[j], rounded(x, radius), rounded(y, radius));
         }
       }
     }
@@ -149,7 +151,7 @@ TEST_P(NeighbourSearch, FindsParticlesOnTheFaces) {
   }
   ParticleScene scene(at, points);
   for (int d = 0; d < 2; ++d) {
-    for (const double x : scene.state().particles.position[static_cast<std::size_t>(d)]) {
+    for (const double x : scene.state().particles.position[static_cast<std::size_t>(d)].host()) {
       EXPECT_GE(x, 0.0);
       EXPECT_LT(x, at.box[static_cast<std::size_t>(d)]);
     }
@@ -190,7 +192,7 @@ TEST_P(NeighbourSearch, BlocksHoldLittleButNeighbours) {
   State& state = scene.state();
   state.order.settle();
   Neighbours<double, 2> grid{};
-  state.neighbourhood.fill(grid);
+  state.neighbourhood.fill(grid, exec::Side::host);
   const auto count = static_cast<double>(state.particles.count());
   const auto neighbours = static_cast<double>(pairs_in_grid(state, Form::blocks).size()) / count;
   const auto blocks = static_cast<double>(grid.block_begin[state.particles.count()]) / count;

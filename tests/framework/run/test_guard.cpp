@@ -41,14 +41,14 @@ CaseText short_steps(const std::string& precision, const std::string& boundary =
 }
 
 Index place_of(CaseRun& run, std::int64_t particle) {
-  const auto& id = run.state().particles.id;
+  const auto id = run.state().particles.id.host();
   return static_cast<Index>(std::find(id.begin(), id.end(), particle) - id.begin());
 }
 
 void put(CaseRun& run, std::int64_t particle, double x, double y) {
   const Index place = place_of(run, particle);
-  run.state().particles.position[0][place] = x;
-  run.state().particles.position[1][place] = y;
+  run.state().particles.position[0].host(exec::Access::read_write)[static_cast<std::size_t>(place)] = x;
+  run.state().particles.position[1].host(exec::Access::read_write)[static_cast<std::size_t>(place)] = y;
   run.state().order.mark_moved();
 }
 
@@ -231,7 +231,7 @@ TEST(ClosestPair, IsThatOfAllPairs) {
       const auto found = closest_pair(run.state(), 0.2);
       ASSERT_TRUE(found);
       EXPECT_NEAR(found->distance, closest, 1e-12) << seed;
-      const auto& id = run.state().particles.id;
+      const auto id = run.state().particles.id.host();
       const auto a = static_cast<std::size_t>(id[found->a]);
       const auto b = static_cast<std::size_t>(id[found->b]);
       EXPECT_NEAR(std::hypot(std::remainder(x[a] - x[b], 4.0), std::remainder(y[a] - y[b], 4.0)), closest, 1e-12);
@@ -255,7 +255,7 @@ TEST(Guard, WhatIsNotFiniteIsNamedByFieldParticleAndTime) {
     CaseRun run(active_scene(precision).section("time", "end = 1e6\nstep = 0.002"));
     run.run_steps(4);
     Field& q = run.state().fields.at("order_tensor");
-    const auto& id = run.state().particles.id;
+    const auto id = run.state().particles.id.host();
     const auto place = static_cast<Index>(std::find(id.begin(), id.end(), 123) - id.begin());
     q.set(1, place, std::numeric_limits<double>::quiet_NaN());
     ++q.version;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "mesogen/exec/blocks.hpp"
+#include "mesogen/exec/cuda_check.hpp"
 #include "mesogen/exec/first_failure.hpp"
 #include "mesogen/exec/subnormals.hpp"
 #include "mesogen/exec/work_stealing.hpp"
@@ -27,14 +28,16 @@ __global__ void run_for_each(Index count, Function function) {
 
 /// function(i) for every i in [0, count), in any order. `function` is trivially copyable and writes only what belongs
 /// to i, so the result does not depend on the order. On the host it may throw; what the first one threw comes out, and
-/// some are left out then.
+/// some are left out then. `what`: of the loop, for the error if it cannot start on a device.
 template <class Function>
-void for_each(const Space& space, Index count, const Function& function) {
+void for_each(const Space& space, Index count, const Function& function,
+              [[maybe_unused]] const char* what = "a loop over particles") {
 #ifdef __CUDACC__
   if (space.device) {
     if (count == 0) return;
     constexpr int block = 128;
     run_for_each<<<(count + block - 1) / block, block, 0, static_cast<cudaStream_t>(space.stream)>>>(count, function);
+    check_launch(what);
     return;
   }
 #else

@@ -48,9 +48,9 @@ class MESOGEN_EXPORT PassContext {
   }
   [[nodiscard]] virtual const sph::SmoothingKernel& kernel() const = 0;
   [[nodiscard]] virtual const Scene& scene() const = 0;
-  /// Where the pass runs. On a device only what goes through exec::for_each or sph::pair_sum may touch fields,
-  /// positions and ids: a loop of the pass's own would read what is still being written. Then say HOST_ONLY to
-  /// mesogen_add_plugin.
+  /// Where the pass runs. On a device, fields, positions and ids lie in its memory, for what goes through
+  /// exec::for_each or sph::pair_sum alone; if the pass has loops of its own, say HOST_ONLY to mesogen_add_plugin. Ask
+  /// for each in every run of the pass: a pointer that is kept may be out of date the next time.
   [[nodiscard]] virtual exec::Space space() const = 0;
   /// Real particles; boundary copies follow them in storage.
   [[nodiscard]] virtual Index count() const = 0;

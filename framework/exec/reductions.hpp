@@ -4,61 +4,64 @@
 
 #include "exec/backend.hpp"
 #include "mesogen/exec/blocks.hpp"
+#include "mesogen/exec/cuda_check.hpp"
 #include "mesogen/exec/for_each.hpp"
 #include "mesogen/exec/subnormals.hpp"
 #include "mesogen/exec/work_stealing.hpp"
 
 namespace mesogen::exec {
 
-/// Where loops leave what they look for. On a device a look is only asked for, and all that was found comes to the host
-/// together: to wait for each would take longer than the loops.
-class Findings {
+/// Where loops leave the numbers that they look for. On a device a loop is only asked for, and all results come to the
+/// host together: to wait for each would take longer than the loops.
+class Reductions {
  public:
   static constexpr int size = 64;
 
-  /// On a device: as many numbers there, and as many on the host in memory that it can be copied to while both work.
-  explicit Findings(double* device = nullptr, double* host = nullptr)
-      : device_(device), host_(host == nullptr ? own_ : host) {}
-  Findings(const Findings&) = delete;
-  Findings& operator=(const Findings&) = delete;
+  /// On a device: as many numbers there, and as many on the host in pinned memory, which can be copied to while both
+  /// work.
+  explicit Reductions(double* device = nullptr, double* pinned = nullptr)
+      : device_(device), pinned_(pinned == nullptr ? own_ : pinned) {}
+  Reductions(const Reductions&) = delete;
+  Reductions& operator=(const Reductions&) = delete;
 
-  /// The first of the next `count` numbers. Throws std::logic_error if that would overwrite what was not collected.
-  Finding take(int count) {
+  /// The first of the next `count` numbers. Throws std::logic_error if that would overwrite what was not waited for.
+  Reduction take(int count) {
     if (next_ + count > size) {
       next_ = 0;
       ++rounds_;
     }
-    if (rounds_ > 1 || (rounds_ == 1 && next_ + count > collected_))
+    if (rounds_ > 1 || (rounds_ == 1 && next_ + count > waited_))
       throw std::logic_error("more is looked for at a time than there is room to note");
     next_ += count;
     return {next_ - count};
   }
-  /// Waits for all that was asked for; whether it came is for the backend to ask.
-  void collect(const Space& space) {
+  /// Waits for all that was asked for. Throws Error(run_failed) if some of it failed: no result is to be read then.
+  void wait(const Space& space) {
 #ifdef __CUDACC__
     if (space.device) {
       const auto stream = static_cast<cudaStream_t>(space.stream);
-      (void)cudaMemcpyAsync(host_, device_, size * sizeof(double), cudaMemcpyDeviceToHost, stream);
-      (void)cudaStreamSynchronize(stream);
+      check_cuda(cudaMemcpyAsync(pinned_, device_, size * sizeof(double), cudaMemcpyDeviceToHost, stream),
+                 "the results of reductions");
+      check_cuda(cudaStreamSynchronize(stream), "the results of reductions");
     }
 #else
     (void)space;
 #endif
     rounds_ = 0;
-    collected_ = next_;
+    waited_ = next_;
   }
-  [[nodiscard]] double found(Finding finding) const { return host_[finding.place]; }
+  [[nodiscard]] double found(Reduction reduction) const { return pinned_[reduction.place]; }
 
-  [[nodiscard]] double* device(Finding finding) const { return device_ + finding.place; }
-  [[nodiscard]] double* host(Finding finding) const { return host_ + finding.place; }
+  [[nodiscard]] double* device(Reduction reduction) const { return device_ + reduction.place; }
+  [[nodiscard]] double* pinned(Reduction reduction) const { return pinned_ + reduction.place; }
 
  private:
   double own_[size] = {};
   double* device_;
-  double* host_;
+  double* pinned_;
   int next_ = 0;
-  int collected_ = 0;  // the place behind the last that was
-  int rounds_ = 0;     // how often the places were begun anew since
+  int waited_ = 0;  // the place behind the last whose result came
+  int rounds_ = 0;  // how often the places were begun anew since
 };
 
 /// `Count` numbers, none of them below zero or not a number.
@@ -93,24 +96,26 @@ __global__ void find_largest(Index count, Function function, double* largest) {
 #endif
 
 /// Looks for the largest of each of `Count` numbers over all i: function(i, maxima) raises those that are larger at i.
-/// It raises to infinity where something is not a number.
+/// It raises to infinity where something is not a number. `what`: of the loop, for the error if it cannot start.
 template <int Count, class Function>
-Finding find_largest(const Space& space, Findings& findings, Index count, const Function& function) {
-  const Finding finding = findings.take(Count);
+Reduction find_largest(const Space& space, Reductions& reductions, Index count, const Function& function,
+                       [[maybe_unused]] const char* what) {
+  const Reduction reduction = reductions.take(Count);
 #ifdef __CUDACC__
   if (space.device) {
     const auto stream = static_cast<cudaStream_t>(space.stream);
     constexpr int block = detail::reducing_block;
-    cudaMemsetAsync(findings.device(finding), 0, Count * sizeof(double), stream);
+    check_cuda(cudaMemsetAsync(reductions.device(reduction), 0, Count * sizeof(double), stream), what);
     if (count > 0)
       detail::find_largest<Count>
-          <<<(count + block - 1) / block, block, 0, stream>>>(count, function, findings.device(finding));
-    return finding;
+          <<<(count + block - 1) / block, block, 0, stream>>>(count, function, reductions.device(reduction));
+    check_launch(what);
+    return reduction;
   }
 #else
   (void)space;
 #endif
-  double* const largest = findings.host(finding);
+  double* const largest = reductions.pinned(reduction);
   for (int n = 0; n < Count; ++n) largest[n] = 0.0;
   const Blocks blocks(count);
   WorkStealing turns(blocks.number());
@@ -125,7 +130,7 @@ Finding find_largest(const Space& space, Findings& findings, Index count, const 
     for (int n = 0; n < Count; ++n)
       if (own.value[n] > largest[n]) largest[n] = own.value[n];
   }
-  return finding;
+  return reduction;
 }
 
 }  // namespace mesogen::exec

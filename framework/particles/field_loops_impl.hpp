@@ -1,11 +1,13 @@
 #pragma once
 
 #include <cmath>
+#include <stdexcept>
 
-#include "exec/backend.hpp"
-#include "exec/largest.hpp"
+#include "exec/reductions.hpp"
+#include "particles/field_loops.hpp"
 
-/// What a time step does to each particle.
+/// The loops over fields as the compiler of this file makes them: included once by the host's backend, once by that of
+/// a device.
 namespace mesogen::exec {
 
 constexpr double most = 1.7976931348623157e308;
@@ -21,8 +23,8 @@ MESOGEN_HOST_DEVICE inline void raise(double& largest, double square) {
 
 /// Raises two: the squares of the value and of the rate.
 template <class Real, int Components>
-struct Advance {
-  Advancing<Real> a;
+struct AdvanceField {
+  AdvanceArguments<Real> a;
 
   MESOGEN_HOST_DEVICE void operator()(Index i, Maxima<2>& largest) const {
     double value_square = 0.0;
@@ -43,7 +45,7 @@ struct Advance {
 /// Raises above zero if the particle is nowhere.
 template <class Real>
 struct Move {
-  Moving<Real> m;
+  MoveArguments<Real> m;
 
   MESOGEN_HOST_DEVICE void operator()(Index i, Maxima<1>& nowhere) const {
     for (int d = 0; d < m.dimension; ++d) {
@@ -56,7 +58,7 @@ struct Move {
 
 template <class Real>
 struct MoveByPasses {
-  MovingByPasses<Real> m;
+  MoveByPassesArguments<Real> m;
 
   MESOGEN_HOST_DEVICE void operator()(Index i, Maxima<1>& nowhere) const {
     for (int d = 0; d < m.dimension; ++d) {
@@ -140,19 +142,75 @@ struct Zero {
   }
 };
 
-template <class T>
-struct Gather {
-  const T* from;
-  const Index* order;
-  T* to;
-  MESOGEN_HOST_DEVICE void operator()(Index n) const { to[n] = from[order[n]]; }
+/// What particles see that move relative to the fluid.
+template <class Real, int Dim>
+struct Advect {
+  AdvectArguments<Real> a;
+
+  MESOGEN_HOST_DEVICE void operator()(Index i) const {
+    for (int c = 0; c < a.components; ++c) {
+      Real change = Real(0);
+      for (int d = 0; d < Dim; ++d) change += a.velocity(d, i) * a.gradient(c * Dim + d, i);
+      a.rate(c, i) += a.sign * change;
+    }
+  }
 };
 
-template <class T>
-struct Copy {
-  const T* from;
-  T* to;
-  MESOGEN_HOST_DEVICE void operator()(Index n) const { to[n] = from[n]; }
+template <class Real>
+class FieldLoopsImpl final : public FieldLoops<Real> {
+ public:
+  FieldLoopsImpl(const Space& space, Reductions& reductions) : space_(space), reductions_(reductions) {}
+
+  void zero(FieldView<Real> field, int components, Index count) const override {
+    for_each(space_, count, Zero<Real>{field, components}, "zeroing a field");
+  }
+  void advect(const AdvectArguments<Real>& arguments, Index count) const override {
+    if (arguments.dimension == 2) return for_each(space_, count, Advect<Real, 2>{arguments}, "advection");
+    for_each(space_, count, Advect<Real, 3>{arguments}, "advection");
+  }
+  Reduction advance(const AdvanceArguments<Real>& arguments, Index count) const override {
+    switch (arguments.components) {
+      case 1: return advance_of<1>(arguments, count);
+      case 2: return advance_of<2>(arguments, count);
+      case 3: return advance_of<3>(arguments, count);
+      case 4: return advance_of<4>(arguments, count);
+      case 5: return advance_of<5>(arguments, count);
+      case 9: return advance_of<9>(arguments, count);
+      default: throw std::logic_error("a number of components that no rank has");
+    }
+  }
+  Reduction move(const MoveArguments<Real>& arguments, Index count) const override {
+    return find_largest<1>(space_, reductions_, count, Move<Real>{arguments}, "moving particles");
+  }
+  Reduction move(const MoveByPassesArguments<Real>& arguments, Index count) const override {
+    return find_largest<1>(space_, reductions_, count, MoveByPasses<Real>{arguments}, "moving particles");
+  }
+  Reduction largest_square(FieldView<const Real> field, int components, Index count) const override {
+    return find_largest<1>(space_, reductions_, count, SquaredLength<Real>{field, components},
+                           "the largest value of a field");
+  }
+  Reduction largest_change(FieldView<const Real> velocity, FieldView<const double> way, double step_size,
+                           int components, Index count) const override {
+    return find_largest<1>(space_, reductions_, count, SquaredChange<Real>{velocity, way, 2.0 / step_size, components},
+                           "the largest change of a velocity");
+  }
+  Reduction is_outside(FieldView<const Real> field, int components, Index count, double lowest,
+                       double highest) const override {
+    constexpr const char* what = "the bounds of a field";
+    if (components == 1)
+      return find_largest<1>(space_, reductions_, count, ValueOutside<Real>{field, Real(lowest), Real(highest)}, what);
+    return find_largest<1>(space_, reductions_, count,
+                           LengthOutside<Real>{field, components, Real(lowest), Real(highest)}, what);
+  }
+
+ private:
+  template <int Components>
+  Reduction advance_of(const AdvanceArguments<Real>& arguments, Index count) const {
+    return find_largest<2>(space_, reductions_, count, AdvanceField<Real, Components>{arguments}, "advancing a field");
+  }
+
+  Space space_;
+  Reductions& reductions_;
 };
 
 }  // namespace mesogen::exec

@@ -1,4 +1,4 @@
-#include "exec/order_by_cell.hpp"
+#include "neighbours/order_by_cell.hpp"
 
 #include <omp.h>
 

@@ -1,9 +1,12 @@
 #pragma once
 
-#include "exec/backend.hpp"
+#include "ghosts/ghost_loops.hpp"
 #include "ghosts/images.hpp"
 #include "neighbours/cell_grid.hpp"
 
+/// The loops over ghosts as the compiler of this file makes them: included once by the host's backend, once by that of
+/// a device.
+///
 /// How ghosts are made: particle by particle each counts its images that the box can see, a running sum of the counts
 /// tells where it writes them, and the ghosts are then put in order by cell. So their order does not depend on the
 /// number of threads.
@@ -68,6 +71,26 @@ struct OrderGhosts {
   }
 };
 
+/// The i-th ghost ends all cells before its own that are not ended yet, and begins what follows them; one behind the
+/// last ends the rest. Ghosts may lie in any cell.
+struct FindGhostRanges {
+  const Index* cell;
+  Index count;
+  Index first_place;
+  int cells;
+  Index* begin;
+  Index* end;
+
+  MESOGEN_HOST_DEVICE void operator()(Index n) const {
+    const int first = n == 0 ? 0 : cell[n - 1] + 1;
+    const int last = n == count ? cells : cell[n];
+    for (int c = first; c <= last; ++c) {
+      if (c > 0) end[c - 1] = first_place + n;
+      if (c < cells) begin[c] = first_place + n;
+    }
+  }
+};
+
 /// Values of ghosts: those of their sources, by the rules of their images.
 template <class Real>
 struct RefreshGhosts {
@@ -90,27 +113,35 @@ struct RefreshGhosts {
   }
 };
 
-template <class Real>
-struct PlaceGhosts {
-  int dimension;
-  Placing<Real> p;
+class GhostLoopsImpl final : public GhostLoops {
+ public:
+  explicit GhostLoopsImpl(const Space& space) : space_(space) {}
 
-  MESOGEN_HOST_DEVICE void operator()(Index n) const {
-    for (int d = 0; d < dimension; ++d)
-      p.local[d][p.ghosts.first + n] =
-          Real(p.position[d][p.ghosts.source[n]] + p.ghosts.offset[d][n] - p.ghosts.origin[d][n]);
+  void count(const ImageSearch& search, Index particles, Index* number) const override {
+    for_each(space_, particles, CountGhosts{search, number}, "counting ghosts");
   }
-};
-
-template <class Real>
-struct PlaceWalls {
-  int dimension;
-  Placing<Real> p;
-
-  MESOGEN_HOST_DEVICE void operator()(Index n) const {
-    for (int d = 0; d < dimension; ++d)
-      p.local[d][p.walls.first + n] = Real(p.walls.position[d][n] - p.walls.origin[d][n]);
+  void list(const ImageSearch& search, const CellGrid& grid, Index particles, const Index* begin, const GhostArrays& to,
+            std::int64_t* number) const override {
+    for_each(space_, particles, ListGhosts{search, grid, begin, to, number}, "listing ghosts");
   }
+  void order(const CellGrid& grid, const GhostArrays& from, const Index* order, Index count, const GhostArrays& to,
+             const std::array<double*, 3>& origin) const override {
+    for_each(space_, count, OrderGhosts{grid, from, order, to, origin}, "putting ghosts in order");
+  }
+  void find_ranges(const CellGrid& grid, const Index* cell, Index count, Index first, Index* begin,
+                   Index* end) const override {
+    for_each(space_, count + 1, FindGhostRanges{cell, count, first, grid.padded_count(), begin, end},
+             "the ghosts of cells");
+  }
+  void refresh(const GhostView& ghosts, const RuleView& rules, FieldView<float> field, int components) const override {
+    for_each(space_, ghosts.count, RefreshGhosts<float>{field, components, ghosts, rules}, "values of ghosts");
+  }
+  void refresh(const GhostView& ghosts, const RuleView& rules, FieldView<double> field, int components) const override {
+    for_each(space_, ghosts.count, RefreshGhosts<double>{field, components, ghosts, rules}, "values of ghosts");
+  }
+
+ private:
+  Space space_;
 };
 
 }  // namespace mesogen::exec

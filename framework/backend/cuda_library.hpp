@@ -16,7 +16,8 @@ struct CudaBackend {
 };
 
 /// The backend on a CUDA device, from a library of its own beside libmesogen, loaded when first asked for. With the
-/// variable MESOGEN_CUDA_ON_HOST = 1 the same code runs on the host: for tests, where there is no device.
+/// variable MESOGEN_CUDA_ON_HOST = 1 the same code runs on the host, with memory of its own (exec/emulated_memory.hpp):
+/// for tests, where there is no device. MESOGEN_CUDA_ON_HOST_BYTES says how much memory that is.
 [[nodiscard]] MESOGEN_EXPORT CudaBackend cuda_backend();
 
 /// The one thing that the library exports, under the name `mesogen_cuda`: plain data, checked before anything behind it
@@ -30,6 +31,7 @@ struct CudaLibrary {
 inline constexpr std::uint64_t cuda_library_magic = 0x4d65736f43554441;  // "MesoCUDA"
 inline constexpr const char* cuda_library_symbol = "mesogen_cuda";
 inline constexpr const char* cuda_on_host_variable = "MESOGEN_CUDA_ON_HOST";
+inline constexpr const char* cuda_on_host_bytes_variable = "MESOGEN_CUDA_ON_HOST_BYTES";
 
 /// Of which build a side is; each says it for itself.
 #define MESOGEN_CUDA_BUILD MESOGEN_VERSION ", interface " MESOGEN_STRINGIFY(MESOGEN_ABI) ", " MESOGEN_BUILD_TAG

@@ -1,4 +1,4 @@
-#include "exec/cuda_library.hpp"
+#include "backend/cuda_library.hpp"
 
 #include <dlfcn.h>
 

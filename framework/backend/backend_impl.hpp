@@ -1,0 +1,66 @@
+#pragma once
+
+#include "exec/backend.hpp"
+#include "exec/reductions.hpp"
+#include "ghosts/ghost_loops_impl.hpp"
+#include "neighbours/cell_loops_impl.hpp"
+#include "particles/field_loops_impl.hpp"
+#include "sph/pair_loops.hpp"
+
+/// A backend's loops as the compiler of this file makes them: included once for the host, once for a device.
+namespace mesogen::exec {
+
+template <class Real>
+class PairLoopsImpl final : public PairLoops<Real> {
+ public:
+  explicit PairLoopsImpl(const Space& space) : space_(space) {}
+
+  void volumes(const Neighbours<Real, 2>& neighbours, const sph::SmoothingKernel& kernel,
+               FieldView<Real> volume) const override {
+    sph::volumes<Real, 2>(space_, neighbours, kernel, volume);
+  }
+  void derivatives(const Neighbours<Real, 2>& neighbours, const sph::SmoothingKernel& kernel,
+                   const sph::Derivatives<Real, 2>& wanted) const override {
+    sph::derivatives<Real, 2>(space_, neighbours, kernel, wanted);
+  }
+
+ private:
+  Space space_;
+};
+
+/// All of a backend but where its memory is, how it waits, and how it puts particles in order.
+class BackendImpl : public Backend {
+ public:
+  /// `device`, `pinned`: see Reductions.
+  explicit BackendImpl(const Space& space, double* device = nullptr, double* pinned = nullptr)
+      : space_(space),
+        reductions_(device, pinned),
+        ghosts_(space),
+        single_fields_(space, reductions_),
+        double_fields_(space, reductions_),
+        single_pairs_(space),
+        double_pairs_(space) {}
+
+  [[nodiscard]] Space space() const override { return space_; }
+  void wait() const override { reductions_.wait(space_); }
+  [[nodiscard]] double found(Reduction reduction) const override { return reductions_.found(reduction); }
+  [[nodiscard]] const GhostLoops& ghosts() const override { return ghosts_; }
+
+ protected:
+  [[nodiscard]] Reductions& reductions() const { return reductions_; }
+  [[nodiscard]] const FieldLoops<float>& single_fields() const override { return single_fields_; }
+  [[nodiscard]] const FieldLoops<double>& double_fields() const override { return double_fields_; }
+  [[nodiscard]] const PairLoops<float>& single_pairs() const override { return single_pairs_; }
+  [[nodiscard]] const PairLoops<double>& double_pairs() const override { return double_pairs_; }
+
+ private:
+  Space space_;
+  mutable Reductions reductions_;
+  GhostLoopsImpl ghosts_;
+  FieldLoopsImpl<float> single_fields_;
+  FieldLoopsImpl<double> double_fields_;
+  PairLoopsImpl<float> single_pairs_;
+  PairLoopsImpl<double> double_pairs_;
+};
+
+}  // namespace mesogen::exec

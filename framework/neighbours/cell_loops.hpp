@@ -1,0 +1,61 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "exec/backend.hpp"
+#include "ghosts/views.hpp"
+#include "mesogen/particles/field_view.hpp"
+
+namespace mesogen {
+
+class CellGrid;
+
+namespace exec {
+
+/// Coordinates relative to the tiles of the cell grid, of particles, walls and ghosts.
+template <class Real>
+struct PlaceArguments {
+  const double* position[3];
+  const double* sorted[3];  ///< where particles were sorted
+  Real* local[3];
+  const Index* cell_begin;
+  const Index* cell_end;
+  double farthest_square;  ///< by which a particle may have strayed, m2
+  WallView walls;
+  GhostView ghosts;
+};
+
+/// Particles in a cell grid: where they are in it, and how they are put in its order.
+class CellLoops {
+ public:
+  CellLoops() = default;
+  CellLoops(const CellLoops&) = delete;
+  CellLoops& operator=(const CellLoops&) = delete;
+  virtual ~CellLoops() = default;
+
+  /// The cell of each position; where there is no such number, some cell.
+  virtual void find_cells(const CellGrid& grid, const double* const* position, Index count, Index* cell) const = 0;
+  /// Place n takes what stood at order[n]: by cell, by id within a cell.
+  virtual void order(const Index* cell, const std::int64_t* id, Index count, int cells, Index* order) const = 0;
+  /// First and last particle (one past it) of each cell of the box, from particles stored by cell.
+  virtual void find_ranges(const CellGrid& grid, const Index* cell, Index count, Index* begin, Index* end) const = 0;
+  /// Particles outside the box: as many as it returns, in no order, at `found`, which has room for all.
+  virtual Index find_outside(const double* const* position, const double* box, int dimension, Index count,
+                             Index* found) const = 0;
+  /// values[i] becomes the sum of all before it, values[count] the sum of all, which it returns. Waits for the answer.
+  virtual Index running_sums(Index* values, Index count) const = 0;
+  /// False if a particle has strayed too far. Waits for the answer.
+  virtual bool place(const CellGrid& grid, const PlaceArguments<float>& arguments) const = 0;
+  virtual bool place(const CellGrid& grid, const PlaceArguments<double>& arguments) const = 0;
+
+  virtual void permute(float* values, const Index* order, Index count, float* scratch) const = 0;
+  virtual void permute(double* values, const Index* order, Index count, double* scratch) const = 0;
+  virtual void permute(std::int32_t* values, const Index* order, Index count, std::int32_t* scratch) const = 0;
+  virtual void permute(std::int64_t* values, const Index* order, Index count, std::int64_t* scratch) const = 0;
+  virtual void copy(const double* from, double* to, Index count) const = 0;
+};
+
+}  // namespace exec
+
+}  // namespace mesogen

@@ -1,0 +1,162 @@
+#pragma once
+
+#include "exec/reductions.hpp"
+#include "neighbours/cell_grid.hpp"
+#include "neighbours/cell_loops.hpp"
+
+/// The loops over particles and the cells that hold them, as the compiler of this file makes them: included once by the
+/// host's backend, once by that of a device.
+namespace mesogen::exec {
+
+struct FindCell {
+  CellGrid grid;
+  const double* position[3];
+  Index* cell;
+
+  MESOGEN_HOST_DEVICE void operator()(Index i) const {
+    double at[3] = {0.0, 0.0, 0.0};
+    for (int d = 0; d < grid.dimension(); ++d) at[d] = position[d][i];
+    cell[i] = grid.number_of(at);
+  }
+};
+
+/// The i-th particle ends all cells before its own that are not ended yet, and begins what follows them; one behind the
+/// last ends the rest.
+struct FindRanges {
+  CellGrid grid;
+  const Index* cell;
+  Index count;
+  Index* begin;
+  Index* end;
+
+  MESOGEN_HOST_DEVICE void operator()(Index i) const {
+    const int first = i == 0 ? 0 : cell[i - 1] + 1;
+    const int last = i == count ? grid.inside_count() : cell[i];
+    for (int c = first; c <= last; ++c) {
+      if (c > 0) end[grid.padded_index(grid.inside(c - 1))] = i;
+      if (c < grid.inside_count()) begin[grid.padded_index(grid.inside(c))] = i;
+    }
+  }
+};
+
+/// Places the particles of a cell; raises above zero if one has strayed too far.
+template <class Real>
+struct PlaceParticles {
+  CellGrid grid;
+  PlaceArguments<Real> p;
+
+  MESOGEN_HOST_DEVICE void operator()(Index c, Maxima<1>& strayed) const {
+    const CellGrid::Cell cell = grid.inside(c);
+    const int index = grid.padded_index(cell);
+    double origin[3];
+    for (int d = 0; d < grid.dimension(); ++d) origin[d] = grid.tile_origin(d, cell[d]);
+    for (Index i = p.cell_begin[index]; i < p.cell_end[index]; ++i) {
+      double moved = 0.0;
+      for (int d = 0; d < grid.dimension(); ++d) {
+        const double at = p.position[d][i];
+        const double by = at - p.sorted[d][i];
+        moved += by * by;
+        p.local[d][i] = Real(at - origin[d]);
+      }
+      // Written so that NaN counts as having strayed; the guard after the step names it.
+      if (!(moved <= p.farthest_square)) strayed.value[0] = 1.0;
+    }
+  }
+};
+
+template <class Real>
+struct PlaceGhosts {
+  int dimension;
+  PlaceArguments<Real> p;
+
+  MESOGEN_HOST_DEVICE void operator()(Index n) const {
+    for (int d = 0; d < dimension; ++d)
+      p.local[d][p.ghosts.first + n] =
+          Real(p.position[d][p.ghosts.source[n]] + p.ghosts.offset[d][n] - p.ghosts.origin[d][n]);
+  }
+};
+
+template <class Real>
+struct PlaceWalls {
+  int dimension;
+  PlaceArguments<Real> p;
+
+  MESOGEN_HOST_DEVICE void operator()(Index n) const {
+    for (int d = 0; d < dimension; ++d)
+      p.local[d][p.walls.first + n] = Real(p.walls.position[d][n] - p.walls.origin[d][n]);
+  }
+};
+
+template <class T>
+struct Gather {
+  const T* from;
+  const Index* order;
+  T* to;
+  MESOGEN_HOST_DEVICE void operator()(Index n) const { to[n] = from[order[n]]; }
+};
+
+template <class T>
+struct Copy {
+  const T* from;
+  T* to;
+  MESOGEN_HOST_DEVICE void operator()(Index n) const { to[n] = from[n]; }
+};
+
+/// All that can be written as loops over what is there: not how particles are put in order.
+class CellLoopsImpl : public CellLoops {
+ public:
+  CellLoopsImpl(const Space& space, Reductions& reductions) : space_(space), reductions_(reductions) {}
+
+  void find_cells(const CellGrid& grid, const double* const* position, Index count, Index* cell) const override {
+    for_each(space_, count, FindCell{grid, {position[0], position[1], position[2]}, cell}, "finding cells");
+  }
+  void find_ranges(const CellGrid& grid, const Index* cell, Index count, Index* begin, Index* end) const override {
+    for_each(space_, count + 1, FindRanges{grid, cell, count, begin, end}, "the particles of cells");
+  }
+  bool place(const CellGrid& grid, const PlaceArguments<float>& arguments) const override {
+    return place_particles(grid, arguments);
+  }
+  bool place(const CellGrid& grid, const PlaceArguments<double>& arguments) const override {
+    return place_particles(grid, arguments);
+  }
+  void permute(float* values, const Index* order, Index count, float* scratch) const override {
+    permuted(values, order, count, scratch);
+  }
+  void permute(double* values, const Index* order, Index count, double* scratch) const override {
+    permuted(values, order, count, scratch);
+  }
+  void permute(std::int32_t* values, const Index* order, Index count, std::int32_t* scratch) const override {
+    permuted(values, order, count, scratch);
+  }
+  void permute(std::int64_t* values, const Index* order, Index count, std::int64_t* scratch) const override {
+    permuted(values, order, count, scratch);
+  }
+  void copy(const double* from, double* to, Index count) const override {
+    for_each(space_, count, Copy<double>{from, to}, "copying positions");
+  }
+
+ protected:
+  [[nodiscard]] const Space& space() const { return space_; }
+
+ private:
+  template <class Real>
+  bool place_particles(const CellGrid& grid, const PlaceArguments<Real>& arguments) const {
+    const Reduction strayed = find_largest<1>(space_, reductions_, grid.inside_count(),
+                                              PlaceParticles<Real>{grid, arguments}, "placing particles");
+    reductions_.wait(space_);
+    if (reductions_.found(strayed) > 0.0) return false;
+    for_each(space_, arguments.walls.count, PlaceWalls<Real>{grid.dimension(), arguments}, "placing walls");
+    for_each(space_, arguments.ghosts.count, PlaceGhosts<Real>{grid.dimension(), arguments}, "placing ghosts");
+    return true;
+  }
+  template <class T>
+  void permuted(T* values, const Index* order, Index count, T* scratch) const {
+    for_each(space_, count, Gather<T>{values, order, scratch}, "putting particles in order");
+    for_each(space_, count, Copy<T>{scratch, values}, "putting particles in order");
+  }
+
+  Space space_;
+  Reductions& reductions_;
+};
+
+}  // namespace mesogen::exec

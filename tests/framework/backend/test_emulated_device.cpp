@@ -1,0 +1,217 @@
+// Runs on a device whose memory is apart, played by the host: the same bits as on the host, whoever works where. A copy
+// that somebody forgets shows.
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "../simulation/active_scene.hpp"
+#include "emulated_device.hpp"
+#include "run/observation.hpp"
+#include "test_plugins.hpp"
+
+namespace {
+
+using namespace mesogen;
+using namespace mesogen::test;
+
+constexpr int steps = 40;
+constexpr const char* observers[] = {"flow_statistics", "nematic_statistics", "defects", "mixing", "pathlines"};
+
+using OnDevice = std::function<bool(const std::string& type)>;
+
+bool everybody(const std::string&) { return true; }
+bool nobody(const std::string&) { return false; }
+/// Fields go to and fro within a step.
+bool some(const std::string& type) { return type == "beris_edwards" || type == "friction" || type == "incompressible"; }
+
+/// All that a run tells.
+struct Story {
+  Checkpoint state;
+  std::map<std::string, std::vector<double>> told;  // by step, and observer and quantity or field of a frame
+
+  bool operator==(const Story&) const = default;
+};
+
+std::unique_ptr<Setup> put_together(const CaseText& text, const PluginRegistry& registry,
+                                    const SetupAdditions& additions) {
+  Problems problems;
+  return set_up(read_case_text(text.text(), "test.toml", {}, problems), registry, problems, additions);
+}
+
+CaseText observed(CaseText text) {
+  for (const std::string name : observers) text.section("observers." + name, "type = \"" + name + "\"\nevery = 1");
+  return text.section("colour", "type = \"quarter\"")
+      .section("output", "fields = [\"velocity\", \"order_tensor\", \"velocity_gradient\", \"volume\"]");
+}
+
+CaseText mesh_scene(const std::string& precision, const std::string& boundary) {
+  return active_scene(precision, boundary)
+      .section("physics.flow", "type = \"incompressible\"\ndensity = 1.0\nviscosity = 0.05");
+}
+
+/// A run that is looked at every seventh step, and saved and restored half way.
+Story run(const CaseText& text, const SetupAdditions& additions) {
+  Story story;
+  Checkpoint half_way;
+  for (const int part : {0, 1}) {
+    const auto setup = put_together(text, built_plugins(), additions);
+    Stepper stepper(*setup);
+    Observation observation(stepper);
+    if (part == 0) {
+      stepper.start();
+    } else {
+      stepper.restore(half_way);
+    }
+    observation.start();
+    if (part == 1) observation.restore(half_way);
+    for (int n = 1; n <= steps / 2; ++n) {
+      const std::vector<bool> due(setup->observers.size() + 1, n % 7 == 0);
+      stepper.advance(stepper.next_step(1e6), due);
+      const std::string step = std::to_string(stepper.state().step) + " ";
+      observation.sample(due, [&](const std::string& name, const Sample& sample) {
+        for (const auto& [quantity, values] : sample.values()) story.told[step + name + " " + quantity] = values;
+      });
+      if (!due.back()) continue;
+      for (const FrameField& field : observation.frame()) story.told[step + field.name] = field.values;
+    }
+    Checkpoint& checkpoint = part == 0 ? half_way : story.state;
+    stepper.save(checkpoint);
+    observation.save(checkpoint);
+    EXPECT_GT(stepper.state().neighbourhood.sortings(), 1);
+  }
+  return story;
+}
+
+Story run_on_host(const CaseText& text) { return run(text, {}); }
+
+Story run_emulated(const CaseText& text, const OnDevice& on_device) {
+  exec::EmulatedMemory memory;
+  const EmulatedDevice device(memory);
+  const Story story = run(text, device.additions(on_device));
+  EXPECT_EQ(memory.held(), 0U);
+  return story;
+}
+
+// Element by element, since what is not a number, such as a quantity of no defects, is not equal to itself.
+void expect_same(const Story& emulated, const Story& host) {
+  const auto same = [](const std::vector<double>& a, const std::vector<double>& b) {
+    return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0;
+  };
+  EXPECT_GT(host.told.size(), 20U);
+  EXPECT_EQ(emulated.state.integers, host.state.integers);
+  for (const auto& [name, values] : host.state.numbers)
+    EXPECT_TRUE(same(emulated.state.numbers.at(name), values)) << name;
+  for (const auto& [name, values] : host.told) EXPECT_TRUE(same(emulated.told.at(name), values)) << name;
+}
+
+class OnAnEmulatedDevice : public testing::TestWithParam<std::tuple<const char*, const char*>> {};
+
+TEST_P(OnAnEmulatedDevice, ARunHasTheBitsOfTheHost) {
+  const auto [precision, boundary] = GetParam();
+  const CaseText text = observed(active_scene(precision, boundary));
+  const Story host = run_on_host(text);
+  for (const auto on_device : {&everybody, &nobody, &some}) expect_same(run_emulated(text, on_device), host);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, OnAnEmulatedDevice,
+                         testing::Combine(testing::Values("single", "double"),
+                                          testing::Values("periodic_ghosts", "periodic_wrap", "walls")),
+                         [](const auto& set) {
+                           return std::string(std::get<0>(set.param)) + "_" + std::get<1>(set.param);
+                         });
+
+// Its flow has loops of its own, which go over what the host has.
+TEST(EmulatedDevice, RunsAFlowThatComputesOnTheHost) {
+  for (const char* const boundary : {"periodic_ghosts", "periodic_wrap"}) {
+    const CaseText text = observed(mesh_scene("single", boundary));
+    const OnDevice others = [](const std::string& type) { return type != "incompressible"; };
+    const Story host = run_on_host(text);
+    expect_same(run_emulated(text, others), host);
+    expect_same(run_emulated(text, nobody), host);
+  }
+}
+
+/// Forgets to copy one way.
+class ForgetfulMemory final : public exec::EmulatedMemory {
+ public:
+  explicit ForgetfulMemory(exec::Side forgets) : forgets_(forgets) {}
+  void to_device(void* device, const void* host, std::size_t bytes) override {
+    if (forgets_ != exec::Side::device) EmulatedMemory::to_device(device, host, bytes);
+  }
+  void to_host(void* host, const void* device, std::size_t bytes) override {
+    if (forgets_ != exec::Side::host) EmulatedMemory::to_host(host, device, bytes);
+  }
+
+ private:
+  exec::Side forgets_;
+};
+
+/// What stops a short run whose flow computes on the host and the rest on the device; empty if nothing does.
+std::string stopped_by(exec::EmulatedMemory& memory) {
+  const EmulatedDevice device(memory);
+  try {
+    const auto setup = put_together(active_scene("double"), built_plugins(),
+                                    device.additions([](const std::string& type) { return type != "wcsph"; }));
+    Stepper stepper(*setup);
+    stepper.start();
+    for (int n = 0; n < 3; ++n) stepper.advance(stepper.next_step(1e6), {false});
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return {};
+}
+
+TEST(EmulatedDevice, AForgottenCopyStopsTheRun) {
+  exec::EmulatedMemory faithful;
+  EXPECT_EQ(stopped_by(faithful), "");
+  ForgetfulMemory nothing_to_the_host(exec::Side::host);
+  EXPECT_NE(stopped_by(nothing_to_the_host).find("is not finite"), std::string::npos);
+  ForgetfulMemory nothing_to_the_device(exec::Side::device);
+  EXPECT_NE(stopped_by(nothing_to_the_device), "");
+}
+
+// A plugin that keeps a pointer instead of asking for the field at each pass: right on the host, by luck.
+TEST(EmulatedDevice, APluginThatKeepsAPointerIsStopped) {
+  const PluginRegistry registry = PluginRegistry::only(
+      {MESOGEN_TEST_PLUGIN_FOLDER, std::filesystem::path(MESOGEN_TEST_BROKEN_PLUGINS) / "misbehaving"});
+  const CaseText text =
+      active_scene("double").section("physics.bad", "type = \"misbehaving\"\nmisdeed = \"keeps a pointer\"");
+  const auto stopped = [&](const SetupAdditions& additions) -> std::string {
+    const auto setup = put_together(text, registry, additions);
+    Stepper stepper(*setup);
+    try {
+      stepper.start();
+      for (int n = 0; n < 3; ++n) stepper.advance(stepper.next_step(1e6), {false});
+    } catch (const Error& error) {
+      return error.what();
+    }
+    return {};
+  };
+  EXPECT_EQ(stopped({}), "");
+  exec::EmulatedMemory memory;
+  const EmulatedDevice device(memory);
+  const std::string text_of_error =
+      stopped(device.additions([](const std::string& type) { return type != "misbehaving"; }));
+  EXPECT_NE(text_of_error.find("is not finite"), std::string::npos) << text_of_error;
+}
+
+TEST(EmulatedDevice, ARunThatDoesNotFitIsRefused) {
+  exec::EmulatedMemory memory(100'000);
+  const std::string text = stopped_by(memory);
+  EXPECT_TRUE(text.starts_with("the emulated device has too little memory: an array needs ")) << text;
+  EXPECT_NE(text.find("and of its 0.1 MB only "), std::string::npos) << text;
+  EXPECT_NE(text.find("Take fewer particles (a larger particles.spacing), run.precision = \"single\", or run.device = "
+                      "\"cpu\""),
+            std::string::npos)
+      << text;
+  EXPECT_EQ(memory.held(), 0U);
+}
+
+}  // namespace

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "backend/host_loops.hpp"
+#include "exec/emulated_memory.hpp"
+#include "run/setup.hpp"
+
+namespace mesogen::test {
+
+/// A device that the host plays: the host's own loops, memory apart, what is out of date poisoned. A run has the bits
+/// of a run on the host, and whoever forgets to ask for the newest values computes with what is not a number. Needs no
+/// nvcc.
+class EmulatedDevice final : public exec::BackendImpl {
+ public:
+  explicit EmulatedDevice(exec::EmulatedMemory& memory)
+      : BackendImpl(exec::Space{}), memory_(memory), cells_(reductions()) {}
+
+  [[nodiscard]] std::string device() const override { return "the host, for a test"; }
+  [[nodiscard]] exec::DeviceMemory* memory() const override { return &memory_; }
+  [[nodiscard]] bool has_host_code() const override { return true; }
+  void finish() const override {}
+  [[nodiscard]] const exec::CellLoops& cells() const override { return cells_; }
+
+  /// What a setup takes to run there: `on_device` tells of each physics plugin whether its passes do.
+  [[nodiscard]] SetupAdditions additions(std::function<bool(const std::string& type)> on_device) const {
+    return {.scene = {},
+            .fields =
+                [this, on_device = std::move(on_device)](Setup& setup) {
+                  setup.backend = this;
+                  for (auto& member : setup.physics) member.on_device = on_device(member.type);
+                },
+            .readers = {}};
+  }
+
+ private:
+  exec::EmulatedMemory& memory_;
+  exec::HostCellLoops cells_;
+};
+
+}  // namespace mesogen::test
