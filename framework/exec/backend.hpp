@@ -6,6 +6,7 @@
 #include <type_traits>
 
 #include "exec/memory.hpp"
+#include "exec/pair_loops.hpp"
 #include "ghosts/views.hpp"
 #include "mesogen/exec/for_each.hpp"
 #include "mesogen/export.hpp"
@@ -20,11 +21,6 @@ struct ImageSearch;
 struct FieldDeclaration;
 struct Pass;
 struct Transport;
-
-namespace sph {
-template <class Real, int Dim>
-struct Derivatives;
-}
 
 /// The framework's own loops. They are written once, as functors; each backend compiles them for where it runs.
 namespace exec {
@@ -91,13 +87,8 @@ struct GhostArrays {
 };
 
 template <class Real>
-class Loops {
+class Loops : public PairLoops<Real> {
  public:
-  Loops() = default;
-  Loops(const Loops&) = delete;
-  Loops& operator=(const Loops&) = delete;
-  virtual ~Loops() = default;
-
   virtual void zero(FieldView<Real> field, int components, Index count) const = 0;
   /// Values of ghosts: those of their sources, by the rules of their images.
   virtual void refresh(const GhostView& ghosts, const RuleView& rules, FieldView<Real> field, int components) const = 0;
@@ -116,11 +107,6 @@ class Loops {
                              double highest) const = 0;
   /// False if a particle has strayed too far. Waits for the answer.
   virtual bool place(const CellGrid& grid, const Placing<Real>& placing) const = 0;
-
-  virtual void volumes(const Neighbours<Real, 2>& neighbours, const sph::SmoothingKernel& kernel,
-                       FieldView<Real> volume) const = 0;
-  virtual void derivatives(const Neighbours<Real, 2>& neighbours, const sph::SmoothingKernel& kernel,
-                           const sph::Derivatives<Real, 2>& wanted) const = 0;
 };
 
 /// Particles in a cell grid.

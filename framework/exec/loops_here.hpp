@@ -5,18 +5,19 @@
 #include "exec/cell_functors.hpp"
 #include "exec/largest.hpp"
 #include "exec/motion_functors.hpp"
+#include "exec/pair_loops_here.hpp"
 #include "ghosts/ghost_functors.hpp"
 #include "schedule/advection.hpp"
-#include "sph/standard_passes.hpp"
 
 /// The framework's loops as the compiler of this file makes them: included once by the host's backend, once by that of
 /// a device.
 namespace mesogen::exec {
 
 template <class Real>
-class LoopsHere final : public Loops<Real> {
+class LoopsHere final : public PairLoopsHere<Real, Loops<Real>, BuiltDimensions> {
  public:
-  LoopsHere(const Space& space, Findings& findings) : space_(space), findings_(findings) {}
+  LoopsHere(const Space& space, Findings& findings)
+      : PairLoopsHere<Real, Loops<Real>, BuiltDimensions>(space), findings_(findings) {}
 
   void zero(FieldView<Real> field, int components, Index count) const override {
     for_each(space_, count, Zero<Real>{field, components});
@@ -65,22 +66,13 @@ class LoopsHere final : public Loops<Real> {
     return true;
   }
 
-  void volumes(const Neighbours<Real, 2>& neighbours, const sph::SmoothingKernel& kernel,
-               FieldView<Real> volume) const override {
-    sph::volumes<Real, 2>(space_, neighbours, kernel, volume);
-  }
-  void derivatives(const Neighbours<Real, 2>& neighbours, const sph::SmoothingKernel& kernel,
-                   const sph::Derivatives<Real, 2>& wanted) const override {
-    sph::derivatives<Real, 2>(space_, neighbours, kernel, wanted);
-  }
-
  private:
   template <int Components>
   Finding advance_of(const Advancing<Real>& advancing, Index count) const {
     return find_largest<2>(space_, findings_, count, Advance<Real, Components>{advancing});
   }
 
-  Space space_;
+  using PairLoopsHere<Real, Loops<Real>, BuiltDimensions>::space_;
   Findings& findings_;
 };
 

@@ -1,5 +1,6 @@
 #include "ghosts/boundary_values.hpp"
 
+#include "mesogen/exec/dispatch.hpp"
 #include "sph/mirror_values.hpp"
 
 namespace mesogen {
@@ -15,15 +16,10 @@ bool BoundaryValues::up_to_date(const Field& field) const {
 }
 
 void BoundaryValues::refresh(Field& field) {
-  const bool single = scene_.precision == Precision::single_precision;
-  single ? refresh_ghosts<float>(field) : refresh_ghosts<double>(field);
+  dispatch(scene_.precision, [&]<class Real>() { refresh_ghosts<Real>(field); });
   if (neighbourhood_.walls().count() > 0) {
     backend_.finish();
-    if (scene_.dimension == 2) {
-      single ? refresh_walls<float, 2>(field) : refresh_walls<double, 2>(field);
-    } else {
-      single ? refresh_walls<float, 3>(field) : refresh_walls<double, 3>(field);
-    }
+    dispatch(scene_.precision, scene_.dimension, [&]<class Real, int Dim>() { refresh_walls<Real, Dim>(field); });
   }
   field.refreshed = field.version;
   field.refreshed_at = positions();

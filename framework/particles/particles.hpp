@@ -17,7 +17,7 @@ struct MESOGEN_EXPORT Particles {
         images{exec::Array<std::int32_t>(memory), exec::Array<std::int32_t>(memory), exec::Array<std::int32_t>(memory)},
         id(memory) {}
 
-  int dimension = 2;
+  int dimension = 0;                                ///< of space
   std::array<exec::Array<double>, 3> position;      ///< m
   std::array<exec::Array<std::int32_t>, 3> images;  ///< boxes crossed along each axis
   exec::Array<std::int64_t> id;

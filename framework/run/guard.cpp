@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "mesogen/diagnostics/error.hpp"
+#include "mesogen/exec/dispatch.hpp"
 #include "run/closest_pair.hpp"
 #include "sph/lattice.hpp"
 #include "text/rounded_text.hpp"
@@ -61,8 +62,8 @@ exec::Finding look_outside(const State& state, Field& field, double lowest, doub
 }
 
 exec::Finding look_outside(const State& state, Field& field, double lowest, double highest) {
-  return state.single() ? look_outside<float>(state, field, lowest, highest)
-                        : look_outside<double>(state, field, lowest, highest);
+  return dispatch(state.scene.precision,
+                  [&]<class Real>() { return look_outside<Real>(state, field, lowest, highest); });
 }
 
 // On a lattice of as many particles as the box holds.

@@ -17,12 +17,12 @@ namespace mesogen {
 namespace {
 
 /// ": [director]", the initial conditions that set a field; empty if there is none.
-std::string those_who_set(const std::string& field, const PluginRegistry& registry) {
+std::string those_who_set(const std::string& field, const PluginRegistry& registry, int dimension) {
   std::string text;
   for (const std::string& name : registry.names(PluginKind::initial)) {
     InitialPlan plan;
     try {
-      const auto plugin = registry.make_initial(name);
+      const auto plugin = registry.make_initial(name, dimension);
       call_plugin(name, "plan()", [&] { plugin->plan(plan); });
     } catch (const Error&) {
       continue;  // what is wrong with another plugin is not asked here
@@ -55,7 +55,7 @@ void SetupBuilder::collect_fields() {
     if (entry.declaration.needs_start && !entry.initial)
       problems_.add({source_.file, 0, 0}, name,
                     "this field of " + entry.owner + " needs an initial condition: add a section that sets it" +
-                        those_who_set(name, registry_));
+                        those_who_set(name, registry_, source_.dimension()));
 }
 
 void SetupBuilder::collect_initial_fields() {
@@ -114,7 +114,8 @@ void SetupBuilder::plan_observers() {
 // can be checked too, so that a user sees all mistakes at once.
 void SetupBuilder::check_fields_of_unsound_case() {
   try {
-    for (auto& member : setup_.physics) member.passes = sample_declaration(*member.plugin, member.type, registry_);
+    for (auto& member : setup_.physics)
+      member.passes = sample_declaration(*member.plugin, member.type, registry_, source_.dimension());
   } catch (const Error&) {
     return;
   }

@@ -26,7 +26,7 @@ class SetupBuilder {
 
  private:
   template <class Make>
-  auto make(const PluginChoice& choice, Make&& made) -> decltype(made(choice.type));
+  auto make(PluginKind kind, const PluginChoice& choice, Make&& made) -> decltype(made(choice.type));
   void read(const PluginChoice& choice, const ParameterList& list);
   template <class Action>
   void attempt(const PluginChoice& choice, Action&& action);

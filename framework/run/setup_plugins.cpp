@@ -28,8 +28,13 @@ std::string hint_on_section(const CaseSection& section, const PluginRegistry& re
 }  // namespace
 
 template <class Make>
-auto SetupBuilder::make(const PluginChoice& choice, Make&& made) -> decltype(made(choice.type)) {
+auto SetupBuilder::make(PluginKind kind, const PluginChoice& choice, Make&& made) -> decltype(made(choice.type)) {
   if (choice.type.empty()) return nullptr;
+  // Where the size of the box was refused, the dimension that is meant is not known: a plugin of another is no problem.
+  const LoadedPlugin* const found = registry_.find(kind, choice.type);
+  if (source_.domain.size.empty() && found != nullptr &&
+      !usable_dimensions(*found->descriptor).contains(source_.dimension()))
+    return nullptr;
   try {
     return made(choice.type);
   } catch (const Error& error) {
@@ -52,6 +57,7 @@ void SetupBuilder::choose_backend() {
 }
 
 void SetupBuilder::make_plugins() {
+  const int dimension = source_.dimension();
   const auto simple = [&](const PluginChoice& choice, auto& plugin) {
     if (!plugin) return;
     bool understood = false;
@@ -63,16 +69,18 @@ void SetupBuilder::make_plugins() {
     });
     if (!understood) plugin.reset();
   };
-  setup_.boundary = make(source_.boundary,
-                         [&](const std::string& type) { return registry_.make_boundary(type, source_.units.length); });
+  setup_.boundary = make(PluginKind::boundary, source_.boundary, [&](const std::string& type) {
+    return registry_.make_boundary(type, dimension, source_.units.length);
+  });
   simple(source_.boundary, setup_.boundary);
-  setup_.kernel = make(source_.kernel, [&](const std::string& type) { return registry_.make_kernel(type); });
+  setup_.kernel = make(PluginKind::kernel, source_.kernel,
+                       [&](const std::string& type) { return registry_.make_kernel(type, dimension); });
   simple(source_.kernel, setup_.kernel);
   for (const PluginChoice& choice : source_.initial) {
-    auto plugin = make(choice, [&](const std::string& name) {
+    auto plugin = make(PluginKind::initial, choice, [&](const std::string& name) {
       if (const std::string hint = hint_on_section(choice.section, registry_); !hint.empty())
         throw Error(ExitCode::bad_case, "unknown section or key" + hint);
-      return registry_.make_initial(name);
+      return registry_.make_initial(name, dimension);
     });
     initial_missing_ = initial_missing_ || !plugin;
     simple(choice, plugin);
@@ -86,9 +94,9 @@ void SetupBuilder::make_plugins() {
   }
   for (const PluginChoice& choice : source_.physics) {
     const bool on_device = !setup_.backend->on_host() && registry_.has_cuda(choice.type);
-    auto plugin = make(choice, [&](const std::string& type) {
-      return on_device ? registry_.make_physics_for_cuda(type, source_.run.precision, 2)
-                       : registry_.make_physics(type, source_.run.precision, 2);
+    auto plugin = make(PluginKind::physics, choice, [&](const std::string& type) {
+      return on_device ? registry_.make_physics_for_cuda(type, source_.run.precision, dimension)
+                       : registry_.make_physics(type, source_.run.precision, dimension);
     });
     simple(choice, plugin);
     if (plugin) setup_.physics.push_back({"physics." + choice.instance, std::move(plugin), {}, choice.type, on_device});
@@ -99,7 +107,8 @@ void SetupBuilder::make_plugins() {
       setup_.instruction_sets += ", " + member.type + " " + (member.on_device ? "cuda" : plugin->instruction_set);
   for (std::size_t n = 0; n < source_.observers.size(); ++n) {
     const PluginChoice& choice = source_.observers[n];
-    auto plugin = make(choice, [&](const std::string& type) { return registry_.make_observer(type); });
+    auto plugin = make(PluginKind::observer, choice,
+                       [&](const std::string& type) { return registry_.make_observer(type, dimension); });
     simple(choice, plugin);
     if (plugin)
       setup_.observers.push_back({choice.instance, std::move(plugin), {}, source_.timings[n], {}, choice.type});

@@ -26,10 +26,10 @@ double stable_rate(const std::string& scheme) { return scheme == "midpoint" ? 1.
 void SetupBuilder::describe_scene() {
   Scene& scene = setup_.scene;
   setup_.arrangement = arrange(source_);
-  scene.dimension = 2;
+  scene.dimension = source_.dimension();
   scene.precision = source_.run.precision;
-  scene.box = {source_.domain.size[0], source_.domain.size[1], 0.0};
-  for (int d = 0; d < 2; ++d) scene.periodic[d] = setup_.boundary->periodic(d);
+  std::ranges::copy(source_.domain.size, scene.box.begin());
+  for (int d = 0; d < scene.dimension; ++d) scene.periodic[d] = setup_.boundary->periodic(d);
   scene.spacing = source_.particles.spacing;
   scene.smoothing_length = setup_.smoothing.smoothing_length;
   scene.support = setup_.smoothing.radius();

@@ -1,5 +1,6 @@
 #include "schedule/advection.hpp"
 
+#include "mesogen/exec/dispatch.hpp"
 #include "mesogen/exec/for_each.hpp"
 #include "mesogen/plugin/context.hpp"
 
@@ -31,20 +32,15 @@ void advect(const PassContext& context, const FieldDeclaration& field, const Tra
                                       component_count(field.rank, Dim), Real(transport.fixed ? -1 : 1)});
 }
 
-template <class Real>
-void advect(const PassContext& context, const FieldDeclaration& field, const Transport& transport) {
-  if (context.scene().dimension == 2) return advect<Real, 2>(context, field, transport);
-  advect<Real, 3>(context, field, transport);
-}
-
 }  // namespace
 
 Pass advection_pass(const FieldDeclaration& field, const Transport& transport) {
   Pass pass;
   pass.name = "advection of " + field.name;
   pass.reads({field.name + "_gradient", transport.relative()}).accumulates({field.rate}).run([=](const auto& context) {
-    if (context.scene().precision == Precision::single_precision) return advect<float>(context, field, transport);
-    advect<double>(context, field, transport);
+    const Scene& scene = context.scene();
+    dispatch(scene.precision, scene.dimension,
+             [&]<class Real, int Dim>() { advect<Real, Dim>(context, field, transport); });
   });
   return pass;
 }

@@ -4,6 +4,8 @@
 #include <limits>
 #include <stdexcept>
 
+#include "mesogen/exec/dispatch.hpp"
+
 namespace mesogen {
 
 namespace {
@@ -56,7 +58,7 @@ exec::Finding Integrator::advance(const Advanced& one, Field& from, double by) {
 }
 
 exec::Finding Integrator::advance(const Advanced& one, Field& from, double by) {
-  return state_.single() ? advance<float>(one, from, by) : advance<double>(one, from, by);
+  return dispatch(state_.scene.precision, [&]<class Real>() { return advance<Real>(one, from, by); });
 }
 
 template <class Real>
@@ -74,7 +76,7 @@ exec::Finding Integrator::move(double by, double shift_by) {
 std::optional<exec::Finding> Integrator::move(double by, double shift_by) {
   if (velocity_ == nullptr || fixed_) return {};
   state_.mark_moved();
-  return state_.single() ? move<float>(by, shift_by) : move<double>(by, shift_by);
+  return dispatch(state_.scene.precision, [&]<class Real>() { return move<Real>(by, shift_by); });
 }
 
 void Integrator::predict(double step_size) {
@@ -106,8 +108,7 @@ exec::Finding Integrator::move_by_passes(double step_size, bool to_midpoint) {
 
 exec::Finding Integrator::move_by_passes(double step_size, bool to_midpoint) {
   state_.mark_moved();
-  return state_.single() ? move_by_passes<float>(step_size, to_midpoint)
-                         : move_by_passes<double>(step_size, to_midpoint);
+  return dispatch(state_.scene.precision, [&]<class Real>() { return move_by_passes<Real>(step_size, to_midpoint); });
 }
 
 Motion Integrator::correct(double step_size) {
@@ -158,7 +159,7 @@ void Integrator::look(double step_size, Motion& motion) const {
 }
 
 void Integrator::look(double step_size, Motion& motion) const {
-  state_.single() ? look<float>(step_size, motion) : look<double>(step_size, motion);
+  dispatch(state_.scene.precision, [&]<class Real>() { look<Real>(step_size, motion); });
 }
 
 double Integrator::largest_acceleration() const {

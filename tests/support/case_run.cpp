@@ -48,7 +48,7 @@ std::vector<double> CaseRun::field(const std::string& name, int component) {
 std::vector<double> CaseRun::path(int axis) { return by_id(state().particles.id, StateView(state()).unwrapped(axis)); }
 
 Sample CaseRun::sample(const std::string& name) {
-  const auto observer = built_plugins().make_observer(name);
+  const auto observer = built_plugins().make_observer(name, 2);
   ParameterList list;
   observer->parameters(list);
   ObserverPlan plan;
