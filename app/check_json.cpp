@@ -16,13 +16,13 @@ Json whole_number(double value) {
 
 Json scene_json(const Setup& setup) {
   const Scene& scene = setup.scene;
-  return {{"box", {scene.box[0], scene.box[1]}},
+  return {{"box", setup.source.domain.size},
           {"particles", scene.particle_count},
           {"arrangement", setup.source.particles.arrangement},
           {"spacing", scene.spacing},
           {"smoothing_length", scene.smoothing_length},
           {"support", scene.support},
-          {"precision", scene.precision == Precision::single_precision ? "single" : "double"},
+          {"precision", to_string(scene.precision)},
           {"constants", scene.constants}};
 }
 

@@ -30,21 +30,29 @@ std::string plugins_text(const Case& source, const PluginRegistry& registry) {
   return text;
 }
 
+/// Volume of a ball of radius 1: its area in a plane.
+double unit_ball(int dimension) {
+  return std::pow(std::numbers::pi, 0.5 * dimension) / std::tgamma(0.5 * dimension + 1.0);
+}
+
 std::string scene_text(const Setup& setup) {
   const Case& source = setup.source;
   const Scene& scene = setup.scene;
-  const double neighbours = std::numbers::pi * std::pow(scene.support / scene.spacing, 2);
+  const double neighbours = unit_ball(scene.dimension) * std::pow(scene.support / scene.spacing, scene.dimension);
   const std::string& length = source.units.length;
   std::string text;
   if (!source.title.empty()) text += fmt::format("title           {}\n", source.title);
-  text += fmt::format("box             {0:.6g} {2} x {1:.6g} {2}\n", scene.box[0], scene.box[1], length);
+  std::string box;
+  for (const double edge : source.domain.size)
+    box += fmt::format("{}{:.6g} {}", box.empty() ? "" : " x ", edge, length);
+  text += fmt::format("box             {}\n", box);
   text += fmt::format("particles       {}, {}, spacing {:.6g} {}\n", scene.particle_count, source.particles.arrangement,
                       scene.spacing, length);
   if (const auto fitted = fitted_spacing_text(source); !fitted.empty())
     text += fmt::format("                {}\n", fitted);
   text += fmt::format("kernel          smoothing length {0:.6g} {3}, support {1:.6g} {3}, about {2:.0f} neighbours\n",
                       scene.smoothing_length, scene.support, neighbours, length);
-  text += fmt::format("precision       {}\n", scene.precision == Precision::single_precision ? "single" : "double");
+  text += fmt::format("precision       {}\n", to_string(scene.precision));
   return text;
 }
 

@@ -34,11 +34,13 @@ void ask(PluginFacts& facts, Initial& initial) {
 
 void ask(PluginFacts& facts, Physics& physics, const PluginRegistry& registry) {
   ask_keys(facts, physics);
+  const int dimension = facts.dimensions.front();
   Scene scene;
+  scene.dimension = dimension;
   PassList list;
   try {
     call_plugin(facts.name, "publish()", [&] { physics.publish(scene); });
-    list = sample_declaration(physics, facts.name, registry);
+    list = sample_declaration(physics, facts.name, registry, dimension);
     Constants constants = scene.constants;
     constants.insert(list.constants().begin(), list.constants().end());
     for (const auto& [name, value] : constants) facts.constants.push_back(name);
@@ -57,7 +59,7 @@ void ask(PluginFacts& facts, Physics& physics, const PluginRegistry& registry) {
 void ask(PluginFacts& facts, Observer& observer, const PluginRegistry& registry) {
   ask_keys(facts, observer);
   // The plan may depend on the scene; any will do to name fields and quantities.
-  const Scene scene = sample_scene(registry);
+  const Scene scene = sample_scene(registry, facts.dimensions.front());
   ObserverPlan plan;
   try {
     call_plugin(facts.name, "plan()", [&] { observer.plan(scene, plan); });
@@ -85,14 +87,16 @@ PluginFacts plugin_facts(const PluginRegistry& registry, const LoadedPlugin& plu
   facts.file = plugin.file.string();
   facts.instruction_set = plugin.instruction_set;
   facts.cuda = facts.kind == PluginKind::physics && registry.has_cuda(facts.name);
+  facts.dimensions = usable_dimensions(descriptor).list();
+  const int dimension = registry.smallest_dimension(facts.kind, facts.name);
   switch (facts.kind) {
-    case PluginKind::kernel: ask(facts, *registry.make_kernel(facts.name)); break;
-    case PluginKind::boundary: ask(facts, *registry.make_boundary(facts.name)); break;
-    case PluginKind::initial: ask(facts, *registry.make_initial(facts.name)); break;
+    case PluginKind::kernel: ask(facts, *registry.make_kernel(facts.name, dimension)); break;
+    case PluginKind::boundary: ask(facts, *registry.make_boundary(facts.name, dimension)); break;
+    case PluginKind::initial: ask(facts, *registry.make_initial(facts.name, dimension)); break;
     case PluginKind::physics:
-      ask(facts, *registry.make_physics(facts.name, Precision::double_precision, 2), registry);
+      ask(facts, *registry.make_physics(facts.name, Precision::double_precision, dimension), registry);
       break;
-    case PluginKind::observer: ask(facts, *registry.make_observer(facts.name), registry); break;
+    case PluginKind::observer: ask(facts, *registry.make_observer(facts.name, dimension), registry); break;
   }
   return facts;
 }

@@ -23,7 +23,8 @@ struct PluginFacts {
   std::string build_tag;
   std::string file;
   std::string instruction_set;
-  bool cuda = false;  ///< physics: has it a library for CUDA as well?
+  std::vector<int> dimensions;  ///< in which it can be used
+  bool cuda = false;            ///< physics: has it a library for CUDA as well?
   std::vector<DeclaredKey> keys;
 
   std::optional<sph::KernelShape> shape;  ///< kernels

@@ -74,6 +74,7 @@ Json plugin_json(const PluginFacts& plugin) {
               {"summary", plugin.summary},
               {"file", plugin.file},
               {"instruction_set", plugin.instruction_set},
+              {"dimensions", plugin.dimensions},
               {"cuda", plugin.cuda},
               {"abi", plugin.abi},
               {"build_tag", plugin.build_tag},
@@ -105,6 +106,7 @@ std::string list_json(const PluginRegistry& registry) {
                        {"name", descriptor->name},
                        {"version", descriptor->version},
                        {"summary", descriptor->summary},
+                       {"dimensions", usable_dimensions(*descriptor).list()},
                        {"file", file.string()},
                        {"instruction_set", instruction_set}});
   Json refused = Json::array();

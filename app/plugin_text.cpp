@@ -95,6 +95,7 @@ std::string info_text(const PluginFacts& plugin) {
   Text text;
   text.line("{} {} {}: {}", to_string(plugin.kind), plugin.name, plugin.version, plugin.summary);
   text.line("file: {} ({})", plugin.file, plugin.instruction_set);
+  text.line("dimensions: {}", fmt::join(plugin.dimensions, ", "));
   if (plugin.cuda) text.line("has code for CUDA too");
   text.line("plugin interface: {}, built with {}", plugin.abi, plugin.build_tag);
   tell_keys(text, plugin);

@@ -1,9 +1,5 @@
 #include "mesogen/nematics/defect_search.hpp"
 
-#include <string>
-
-#include "mesogen/diagnostics/error.hpp"
-
 namespace mesogen::nematics {
 
 void DefectSearch::parameters(ParameterList& list) {
@@ -17,11 +13,6 @@ void DefectSearch::parameters(ParameterList& list) {
       .above(0.25)
       .at_most(10.0)
       .doc("of the kernel that averages what the particles carry; its shape is that of the run's kernel");
-}
-
-void DefectSearch::needs_plane(const Scene& scene, const char* observer) {
-  if (scene.dimension != 2)
-    throw Error(ExitCode::bad_case, std::string(observer) + ": finds defects in two dimensions only");
 }
 
 std::vector<Defect> DefectSearch::find(const ObserverContext& context) const {

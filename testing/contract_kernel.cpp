@@ -50,7 +50,7 @@ void check_kernel(ContractRun& run) {
     TestScene scene;
     scene.arrangement = "lattice";
     PluginHarness harness = run.harness(scene);
-    const double ratio = harness.value("volume") / std::pow(scene.length / scene.across, 2);
+    const double ratio = harness.value("volume") / std::pow(scene.length / scene.across, harness.scene().dimension);
     if (std::abs(ratio - 1.0) < 0.05) return {};
     return fmt::format(
         "it is {:.4g} times that with h = 4/3 spacings: its support is too narrow, or its shape too "

@@ -79,9 +79,11 @@ std::string run_all(const ContractRun& run, const TestScene& scene, bool with_op
 }  // namespace
 
 void check_physics(ContractRun& run) {
-  run.check("it can be made in single and double precision", [&]() -> std::string {
-    (void)run.registry().make_physics(run.name(), Precision::single_precision, 2);
-    (void)run.registry().make_physics(run.name(), Precision::double_precision, 2);
+  run.check("it can be made in single and double precision, in each of its dimensions", [&]() -> std::string {
+    for (const int dimension :
+         usable_dimensions(*run.registry().find(PluginKind::physics, run.name())->descriptor).list())
+      for (const Precision precision : {Precision::single_precision, Precision::double_precision})
+        (void)run.registry().make_physics(run.name(), precision, dimension);
     return {};
   });
   run.check("what it publishes stays the same when it is asked again", [&]() -> std::string {

@@ -23,12 +23,13 @@ ParameterList parameters_of(PluginKind kind, const std::string& name, const Plug
     call_plugin(name, "parameters()", [&] { plugin->parameters(list); });
     owner = std::shared_ptr<void>(std::move(plugin));
   };
+  const int dimension = registry.smallest_dimension(kind, name);
   switch (kind) {
-    case PluginKind::kernel: take(registry.make_kernel(name)); break;
-    case PluginKind::boundary: take(registry.make_boundary(name)); break;
-    case PluginKind::initial: take(registry.make_initial(name)); break;
-    case PluginKind::physics: take(registry.make_physics(name, Precision::double_precision, 2)); break;
-    case PluginKind::observer: take(registry.make_observer(name)); break;
+    case PluginKind::kernel: take(registry.make_kernel(name, dimension)); break;
+    case PluginKind::boundary: take(registry.make_boundary(name, dimension)); break;
+    case PluginKind::initial: take(registry.make_initial(name, dimension)); break;
+    case PluginKind::physics: take(registry.make_physics(name, Precision::double_precision, dimension)); break;
+    case PluginKind::observer: take(registry.make_observer(name, dimension)); break;
   }
   return list;
 }
@@ -46,7 +47,7 @@ ContractRun::ContractRun(PluginKind kind, std::string name, const ContractSettin
   watch_.begun("it can be made, and names its parameters");
   std::shared_ptr<void> owner;
   const ParameterList list = parameters_of(kind_, name_, registry_, owner);
-  keys_ = keys_of(kind_, name_, list, settings);
+  keys_ = keys_of(kind_, name_, list, registry_, settings);
   owner.reset();
   attempt("it can be put into a scene", [&] { require_constants(kind_, name_, keys_, registry_, settings); });
 }

@@ -70,15 +70,15 @@ void replace_all(std::string& text, const std::string& what, std::string_view by
 }
 
 /// The names of all numbers that any physics plugin publishes.
-std::set<std::string> published(const PluginRegistry& registry) {
+std::set<std::string> published(const PluginRegistry& registry, int dimension) {
   std::set<std::string> names;
-  for (const auto& [name, value] : sample_scene(registry).constants) names.insert(name);
+  for (const auto& [name, value] : sample_scene(registry, dimension).constants) names.insert(name);
   return names;
 }
 
 }  // namespace
 
-std::string keys_of(PluginKind kind, const std::string& name, const ParameterList& list,
+std::string keys_of(PluginKind kind, const std::string& name, const ParameterList& list, const PluginRegistry& registry,
                     const ContractSettings& settings) {
   std::string keys;
   for (const Parameter& parameter : list.all())
@@ -91,7 +91,7 @@ std::string keys_of(PluginKind kind, const std::string& name, const ParameterLis
   std::vector<std::string> overrides;
   for (const auto& [key, value] : settings.values) overrides.push_back(section + key + "=" + value);
   Problems problems;
-  const Case scene = read_case_text(scene_text(kind, name, keys, {}), "the scene", overrides, problems);
+  const Case scene = read_case_text(scene_text(kind, name, keys, {}, registry), "the scene", overrides, problems);
   const PluginChoice& choice = choice_of(kind, scene);
   for (const std::string& key : choice.framework_keys)
     if (settings.values.contains(key))
@@ -120,12 +120,13 @@ void require_constants(PluginKind kind, const std::string& name, const std::stri
     }
   };
   if (can_be_made(settings.constants)) return;
+  const std::set<std::string> constants = published(registry, registry.smallest_dimension(kind, name));
   auto all = settings.constants;
-  for (const std::string& constant : published(registry)) all.emplace(constant, 1.0);
+  for (const std::string& constant : constants) all.emplace(constant, 1.0);
   // Another fault, which a check will name.
   if (!can_be_made(all)) return;
   std::string missing;
-  for (const std::string& constant : published(registry)) {
+  for (const std::string& constant : constants) {
     if (settings.constants.contains(constant)) continue;
     auto without = all;
     without.erase(constant);

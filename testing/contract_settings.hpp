@@ -10,7 +10,7 @@ namespace mesogen::testing {
 
 /// The keys of the plugin's section, as TOML: its required ones and those of the settings. Throws Error(bad_case) if a
 /// key is unknown or a value is not one that the plugin takes, naming it as it stands on the command line.
-std::string keys_of(PluginKind kind, const std::string& name, const ParameterList& list,
+std::string keys_of(PluginKind kind, const std::string& name, const ParameterList& list, const PluginRegistry& registry,
                     const ContractSettings& settings);
 
 /// Throws Error(bad_case), naming them, if the plugin makes no scene for want of constants that others publish.

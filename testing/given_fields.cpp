@@ -34,13 +34,11 @@ std::string root(const std::string& field) {
   return derived.source.empty() ? std::string() : root(derived.source);
 }
 
-Rank rank_of(int components) {
-  switch (components) {
-    case 1: return Rank::scalar;
-    case 2: return Rank::vector;
-    case 4: return Rank::matrix;
-    default: throw Error(ExitCode::bad_case, fmt::format("no field has {} components: 1, 2 or 4", components));
-  }
+Rank rank_of(int components, int dimension) {
+  for (const Rank rank : {Rank::scalar, Rank::vector, Rank::matrix})
+    if (components == component_count(rank, dimension)) return rank;
+  throw Error(ExitCode::bad_case, fmt::format("no field has {} components: 1, {} or {}", components, dimension,
+                                              component_count(Rank::matrix, dimension)));
 }
 
 FieldDeclaration declaration(const std::string& name, Rank rank, const std::string& unit) {
@@ -74,15 +72,16 @@ SetupAdditions SceneCompletion::additions() {
 
 // A field that a plugin makes keeps its declaration: the test only says with what it starts.
 void SceneCompletion::add_given(Setup& setup) const {
+  const int dimension = setup.source.dimension();
   for (const auto& [name, given] : given_) {
     if (given.value && root(name).empty())
       throw Error(ExitCode::bad_case,
                   fmt::format("the field '{}' follows from the positions of the particles: it cannot be given", name));
     if (setup.catalogue.find(name) != nullptr) continue;
-    FieldDeclaration field = known(given.value ? name : root(name));
+    FieldDeclaration field = known(given.value ? name : root(name), dimension);
     if (field.name.empty() && !given.value) continue;
-    if (given.value && (field.name.empty() || component_count(field.rank, 2) != given.components))
-      field = declaration(name, rank_of(given.components), "1");
+    if (given.value && (field.name.empty() || component_count(field.rank, dimension) != given.components))
+      field = declaration(name, rank_of(given.components, dimension), "1");
     if (setup.catalogue.find(field.name) != nullptr) continue;
     if (anyone_makes(setup, field.name)) {
       setup.catalogue.add(field, owner);
@@ -111,7 +110,7 @@ void SceneCompletion::add_missing(Setup& setup, const std::string& wanted, bool 
   if (setup.catalogue.exists(wanted)) return;
   const std::string field = root(wanted);
   if (field.empty() || setup.catalogue.exists(field)) return;
-  const FieldDeclaration found = known(field);
+  const FieldDeclaration found = known(field, setup.source.dimension());
   if (field == "position")
     throw Error(ExitCode::bad_case,
                 fmt::format("'{}' reads 'position', which is no field: take coordinates from context.position(axis), "
@@ -142,21 +141,21 @@ void SceneCompletion::keep_all(Setup& setup) {
 }
 
 /// What the plugins that can be found say of a field; no name if none knows it.
-FieldDeclaration SceneCompletion::known(const std::string& field) const {
+FieldDeclaration SceneCompletion::known(const std::string& field, int dimension) const {
   for (const std::string& name : registry_.names(PluginKind::initial)) {
+    if (!usable_dimensions(*registry_.find(PluginKind::initial, name)->descriptor).contains(dimension)) continue;
     InitialPlan plan;
-    const auto initial = registry_.make_initial(name);
+    const auto initial = registry_.make_initial(name, dimension);
     call_plugin(name, "plan()", [&] { initial->plan(plan); });
     for (const FieldDeclaration& declared : plan.fields())
       if (declared.name == field) return declaration(field, declared.rank, declared.unit_text);
   }
-  for (const auto& plugin : registry_.all()) {
-    if (plugin.descriptor->kind != PluginKind::physics) continue;
-    const std::string_view name = plugin.descriptor->name;
-    const auto physics = registry_.make_physics(name, Precision::double_precision, 2);
+  for (const std::string& name : registry_.names(PluginKind::physics)) {
+    if (!usable_dimensions(*registry_.find(PluginKind::physics, name)->descriptor).contains(dimension)) continue;
+    const auto physics = registry_.make_physics(name, Precision::double_precision, dimension);
     ParameterList parameters;
     call_plugin(name, "parameters()", [&] { physics->parameters(parameters); });
-    const PassList list = sample_declaration(*physics, name, registry_);
+    const PassList list = sample_declaration(*physics, name, registry_, dimension);
     for (const FieldDeclaration& declared : list.fields())
       if (declared.name == field) return declaration(field, declared.rank, declared.unit_text);
   }

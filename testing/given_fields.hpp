@@ -36,7 +36,7 @@ class SceneCompletion {
   void add_missing(Setup& setup) const;
   void add_missing(Setup& setup, const std::string& field, bool written, const std::string& by) const;
   static void keep_all(Setup& setup);
-  [[nodiscard]] FieldDeclaration known(const std::string& field) const;
+  [[nodiscard]] FieldDeclaration known(const std::string& field, int dimension) const;
 
   const PluginRegistry& registry_;
   const GivenFields& given_;

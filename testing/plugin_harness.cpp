@@ -87,8 +87,8 @@ class PluginHarness::Implementation {
 
 PluginHarness::PluginHarness(PluginKind kind, std::string_view name, std::string_view keys, const TestScene& scene,
                              std::string_view folders)
-    : implementation_(
-          std::make_unique<Implementation>(kind, scene_text(kind, name, keys, scene), scene.constants, folders)) {}
+    : implementation_(std::make_unique<Implementation>(kind, scene_text(kind, name, keys, scene, registry_of(folders)),
+                                                       scene.constants, folders)) {}
 
 PluginHarness::PluginHarness(std::string_view case_text, std::string_view folders)
     : implementation_(std::make_unique<Implementation>(std::nullopt, std::string(case_text),

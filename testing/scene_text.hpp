@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "mesogen/testing/plugin_harness.hpp"
+#include "plugin/registry.hpp"
 
 namespace mesogen::testing {
 
@@ -11,6 +12,7 @@ namespace mesogen::testing {
 inline constexpr std::string_view tested_instance = "tested";
 
 /// The case that puts this plugin into this scene.
-std::string scene_text(PluginKind kind, std::string_view name, std::string_view keys, const TestScene& scene);
+std::string scene_text(PluginKind kind, std::string_view name, std::string_view keys, const TestScene& scene,
+                       const PluginRegistry& registry);
 
 }  // namespace mesogen::testing

@@ -14,6 +14,8 @@ using namespace mesogen;
 
 class HybridCell final : public Initial {
  public:
+  static constexpr DimensionSet dimensions{2};
+
   void parameters(ParameterList& list) override {
     list.number("angle_low", low_)
         .unit("degree")

@@ -12,6 +12,8 @@ using namespace mesogen;
 
 class SlipWalls final : public Boundary {
  public:
+  static constexpr DimensionSet dimensions{2};
+
   [[nodiscard]] Continuation continuation(int axis) const override {
     return axis == 1 ? Continuation::none : Continuation::wrapped;
   }

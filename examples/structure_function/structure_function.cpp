@@ -21,6 +21,8 @@ using namespace mesogen;
 
 class StructureFunction final : public Observer {
  public:
+  static constexpr DimensionSet dimensions{2};
+
   void parameters(ParameterList& list) override {
     list.integer("bins", bins_).unit("1").at_least(1).at_most(10000).doc("distances, each of the same width");
     list.number_or("largest", largest_, "auto").unit("m").above(0).doc("largest distance; auto: a quarter of the box");

@@ -49,7 +49,7 @@ struct Kick {
 };
 
 template <class Real, int Dim>
-class ThermalNoise final : public Physics {
+requires(Dim == 2) class ThermalNoise final : public Physics {
  public:
   void parameters(ParameterList& list) override {
     list.number("temperature", temperature_).unit("N").at_least(0).required().doc("kT per depth of the film");

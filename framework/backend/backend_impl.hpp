@@ -5,28 +5,10 @@
 #include "ghosts/ghost_loops_impl.hpp"
 #include "neighbours/cell_loops_impl.hpp"
 #include "particles/field_loops_impl.hpp"
-#include "sph/pair_loops.hpp"
+#include "sph/pair_loops_impl.hpp"
 
 /// A backend's loops as the compiler of this file makes them: included once for the host, once for a device.
 namespace mesogen::exec {
-
-template <class Real>
-class PairLoopsImpl final : public PairLoops<Real> {
- public:
-  explicit PairLoopsImpl(const Space& space) : space_(space) {}
-
-  void volumes(const Neighbours<Real, 2>& neighbours, const sph::SmoothingKernel& kernel,
-               FieldView<Real> volume) const override {
-    sph::volumes<Real, 2>(space_, neighbours, kernel, volume);
-  }
-  void derivatives(const Neighbours<Real, 2>& neighbours, const sph::SmoothingKernel& kernel,
-                   const sph::Derivatives<Real, 2>& wanted) const override {
-    sph::derivatives<Real, 2>(space_, neighbours, kernel, wanted);
-  }
-
- private:
-  Space space_;
-};
 
 /// All of a backend but where its memory is, how it waits, and how it puts particles in order.
 class BackendImpl : public Backend {

@@ -11,15 +11,18 @@ namespace mesogen {
 
 /// Where particles start, by id.
 struct Arrangement {
-  std::array<std::vector<double>, 3> position;  ///< m, in [0, box); the third is empty in 2D
+  std::array<std::vector<double>, 3> position;  ///< m, in [0, box); empty along an axis that the scene has not
   Index count = 0;
 };
 
-/// Rows and columns of particles in the box.
+/// How many particles there are along each axis of the box: columns, rows, layers.
 struct LatticeCounts {
-  int columns = 0;
-  int rows = 0;
+  std::array<int, 3> along{1, 1, 1};
+  [[nodiscard]] double total() const { return static_cast<double>(along[0]) * along[1] * along[2]; }
 };
+
+/// Why the arrangement of a case is none in its dimension; empty if it is one. read_case reports it.
+MESOGEN_EXPORT std::string dimension_problem(const Case& source);
 
 /// How many particles of the case's spacing fit the box, rounded to whole columns and rows (an even number of rows
 /// for a hexagonal arrangement, which must be periodic).
@@ -33,8 +36,8 @@ MESOGEN_EXPORT std::string arrangement_problem(const Case& source);
 /// along x, 0.1 m along y, so that whole rows fit the box". Empty where they do.
 MESOGEN_EXPORT std::string fitted_spacing_text(const Case& source);
 
-/// Particles of a checked case: a lattice of cell centres ((i + 1/2) dx, (j + 1/2) dy), row by row from the origin; a
-/// hexagonal one, every second row shifted by half a column; or the lattice with seeded uniform shifts.
+/// Particles of a checked case: a lattice of cell centres ((i + 1/2) dx, (j + 1/2) dy, ...), row by row from the
+/// origin; a hexagonal one, every second row shifted by half a column; or the lattice with seeded uniform shifts.
 MESOGEN_EXPORT Arrangement arrange(const Case& source);
 
 }  // namespace mesogen

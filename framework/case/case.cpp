@@ -8,6 +8,7 @@
 #include "case/toml_reader.hpp"
 #include "case/value.hpp"
 #include "mesogen/diagnostics/error.hpp"
+#include "mesogen/particles/dimensions.hpp"
 
 namespace mesogen {
 
@@ -43,6 +44,10 @@ void exchange_observers(Value& root, const std::string& file, Problems& problems
 }
 
 }  // namespace
+
+int Case::dimension() const {
+  return domain.size.empty() ? built_dimensions.list().front() : static_cast<int>(domain.size.size());
+}
 
 SourcePlace Case::place(std::string_view dotted_key) const {
   const SourcePlace start{file, 1, 1};

@@ -38,7 +38,7 @@ struct ObserverTiming {
 /// A case, checked, without the plugins' own parameters.
 struct MESOGEN_EXPORT Case {
   struct Domain {
-    std::vector<double> size;  ///< edge lengths, m; two numbers
+    std::vector<double> size;  ///< edge lengths, m: one for each dimension of the scene
   };
   struct Particles {
     double spacing = 0.0;                 ///< m
@@ -87,6 +87,9 @@ struct MESOGEN_EXPORT Case {
   std::string resolved_text;
   std::shared_ptr<const Value> tree;  ///< everything as it stands in the file
 
+  /// Dimensions of the scene: how many numbers domain.size has. Where these were refused, the fewest that Mesogen is
+  /// built for, so that plugins can still be made and asked for what else is wrong.
+  [[nodiscard]] int dimension() const;
   /// Where a key stands, or the innermost table on the way to it.
   [[nodiscard]] SourcePlace place(std::string_view dotted_key) const;
 };

@@ -7,6 +7,7 @@
 #include "case/framework_keys.hpp"
 #include "case/toml_text.hpp"
 #include "case/value.hpp"
+#include "mesogen/particles/dimensions.hpp"
 #include "text/nearest.hpp"
 
 namespace mesogen {
@@ -101,7 +102,8 @@ class CaseReader {
   void read_run() {
     std::string precision = "single";
     read_keys(section("run"), case_keys::run(case_.run, precision));
-    case_.run.precision = precision == "single" ? Precision::single_precision : Precision::double_precision;
+    for (const Precision one : {Precision::single_precision, Precision::double_precision})
+      if (precision == to_string(one)) case_.run.precision = one;
   }
 
   void read_units() {
@@ -119,14 +121,22 @@ class CaseReader {
     }
   }
 
+  /// Is there a space of this dimension, for which Mesogen is not built?
+  static bool not_built(int dimension) {
+    return DimensionSet(AllDimensions{}).contains(dimension) && !built_dimensions.contains(dimension);
+  }
+
   void read_domain() {
     const CaseSection domain = section("domain");
     const auto* const value = case_.tree->find_path("domain.size");
     const auto* const list = value == nullptr ? nullptr : value->as<Value::List>();
-    if (list != nullptr && list->size() == 3) {
+    if (list != nullptr && not_built(static_cast<int>(list->size()))) {
+      const std::string number = std::to_string(list->size());
+      const std::string built = built_dimensions.text();
       problems_.add(value->place, "domain.size",
-                    "must be a list of 2 numbers in " + case_.units.length +
-                        ", since only two dimensions are built, but is " + shown(*value));
+                    "has " + number + " numbers, which means " + number +
+                        " dimensions, but this Mesogen is built for " + built + " dimensions: give " + built +
+                        " numbers in " + case_.units.length);
       read_keys(domain, {}, {"size", "boundary"});
     } else {
       read_keys(domain, case_keys::domain(case_.domain), {"boundary"});

@@ -19,19 +19,26 @@ class Checker {
   void domain_and_particles() {
     const auto& size = case_.domain.size;
     const double spacing = case_.particles.spacing;
-    if (size.size() != 2 || !(spacing > 0.0)) return;
+    if (size.empty() || !(spacing > 0.0)) return;
     constexpr double most_particles = 2e9;
     constexpr double fewest_spacings = 4.0;
-    const double shortest = std::min(size[0], size[1]);
-    const double particles = size[0] / spacing * (size[1] / spacing);
+    const double shortest = *std::ranges::min_element(size);
+    const double power = 1.0 / static_cast<double>(size.size());
+    double particles = 1.0;
+    double widest = std::pow(most_particles, -power);  // spacing with as many particles
+    for (const double edge : size) {
+      particles *= edge / spacing;
+      widest *= std::pow(edge, power);
+    }
     if (shortest < fewest_spacings * spacing) {
       refuse("particles.spacing", fmt::format("must be <= {} {}, a quarter of the shortest edge of the box, but is {}",
                                               shortest / fewest_spacings, case_.units.length, spacing));
     } else if (!(particles <= most_particles)) {
       refuse("particles.spacing",
              fmt::format("must leave at most 2e9 particles, >= {:.4g} {} in this box, but is {}, which gives {:.3g}",
-                         std::sqrt(size[0]) * std::sqrt(size[1]) / std::sqrt(most_particles), case_.units.length,
-                         spacing, particles));
+                         widest, case_.units.length, spacing, particles));
+    } else if (const auto wrong = dimension_problem(case_); !wrong.empty()) {
+      refuse("particles.arrangement", wrong);
     } else if (const auto problem = arrangement_problem(case_); !problem.empty()) {
       refuse("particles.spacing", problem);
     }

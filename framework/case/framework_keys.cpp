@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "mesogen/particles/dimensions.hpp"
+
 namespace mesogen::case_keys {
 
 const std::vector<Section>& sections() {
@@ -56,7 +58,13 @@ ParameterList units(Units& units) {
 
 ParameterList domain(Case::Domain& domain) {
   ParameterList list;
-  list.numbers("size", domain.size).unit("m").doc("edge lengths of the box").above(0.0).sizes({2}).required();
+  const std::vector<int> built = built_dimensions.list();
+  list.numbers("size", domain.size)
+      .unit("m")
+      .doc("edge lengths of the box, one for each dimension")
+      .above(0.0)
+      .sizes({built.begin(), built.end()})
+      .required();
   return list;
 }
 

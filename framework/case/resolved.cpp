@@ -22,7 +22,7 @@ ResolvedCase::ResolvedCase(const Case& source)
     : tree_(source.tree ? std::make_unique<Value>(*source.tree)
                         : std::make_unique<Value>(Value::Table{}, SourcePlace{source.file})) {
   Case copy = source;
-  std::string precision = copy.run.precision == Precision::single_precision ? "single" : "double";
+  std::string precision = std::string(to_string(copy.run.precision));
   if (!copy.units.si()) fill(*tree_, "units", case_keys::units(copy.units));
   fill(*tree_, "domain", case_keys::domain(copy.domain));
   fill(*tree_, "particles", case_keys::particles(copy.particles));

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <set>
 
+#include "mesogen/exec/dispatch.hpp"
 #include "neighbours/neighbourhood.hpp"
 #include "run/planned_fields.hpp"
 
@@ -24,12 +25,12 @@ class Counted {
   explicit Counted(const Setup& setup)
       : setup_(setup),
         scene_(setup.scene),
-        number_(scene_.precision == Precision::single_precision ? single : exact),
+        number_(dispatch(scene_.precision, []<class Real>() { return double{sizeof(Real)}; })),
         particles_(scene_.particle_count),
         axes_(scene_.dimension),
         reach_(scene_.support + Neighbourhood::skin_in_spacings * scene_.spacing),
         grid_(scene_, *setup.boundary, reach_),
-        block_width_(number_ == single ? NeighbourBlock::width<float> : NeighbourBlock::width<double>),
+        block_width_(dispatch(scene_.precision, []<class Real>() { return NeighbourBlock::width<Real>; })),
         blocks_(particles_ *
                 NeighbourBlocks::expected(reach_ / scene_.spacing, grid_.width(1) / scene_.spacing, block_width_)) {
     const auto& position = setup.arrangement.position;

@@ -20,16 +20,17 @@ constexpr double bytes_of_a_row = 24;  // of a sample: its step, its time, its n
 
 std::string gigabytes(double bytes) { return fmt::format("{:.3g} GB", bytes / 1e9); }
 
-double count_of(const Case& source) {
-  const auto counts = lattice_counts(source);
-  return static_cast<double>(counts.columns) * counts.rows;
-}
+double count_of(const Case& source) { return lattice_counts(source).total(); }
 
 /// The first spacing from that of so many particles upward that whole columns and rows fit; 0 if none does.
 double spacing_of(const Case& source, double particles) {
-  const auto [shortest, longest] = std::minmax(source.domain.size[0], source.domain.size[1]);
+  const auto& size = source.domain.size;
+  const double shortest = *std::ranges::min_element(size);
   constexpr double fewest_across = 4.0;
-  for (double across = std::floor(std::sqrt(particles * shortest / longest)); across >= fewest_across; --across) {
+  double in_a_cube = particles;  // whose edge is the shortest of the box
+  for (const double edge : size) in_a_cube *= shortest / edge;
+  double across = std::floor(std::pow(in_a_cube, 1.0 / static_cast<double>(size.size())));
+  for (; across >= fewest_across; --across) {
     Case other = source;
     other.particles.spacing = shortest / across;
     if (arrangement_problem(other).empty() && count_of(other) <= particles) return other.particles.spacing;

@@ -1,6 +1,7 @@
 #include "ghosts/boundary_values.hpp"
 
 #include "ghosts/ghost_loops.hpp"
+#include "mesogen/exec/dispatch.hpp"
 #include "sph/mirror_values.hpp"
 
 namespace mesogen {
@@ -18,14 +19,9 @@ bool BoundaryValues::up_to_date(const Field& field) const {
 void BoundaryValues::refresh(Field& field) {
   if (up_to_date(field)) return;
   const Span span(refreshing_, clock_.trace);
-  const bool single = scene_.precision == Precision::single_precision;
-  single ? refresh_ghosts<float>(field) : refresh_ghosts<double>(field);
+  dispatch(scene_.precision, [&]<class Real>() { refresh_ghosts<Real>(field); });
   if (neighbourhood_.walls().count() > 0) {
-    if (scene_.dimension == 2) {
-      single ? refresh_walls<float, 2>(field) : refresh_walls<double, 2>(field);
-    } else {
-      single ? refresh_walls<float, 3>(field) : refresh_walls<double, 3>(field);
-    }
+    dispatch(scene_.precision, scene_.dimension, [&]<class Real, int Dim>() { refresh_walls<Real, Dim>(field); });
   }
   field.refreshed = field.version;
   field.refreshed_at = positions();
@@ -57,7 +53,7 @@ void BoundaryValues::refresh_ghosts(Field& field) {
   if (neighbourhood_.ghosts().count() == 0) return;
   constexpr auto device = exec::Side::device;
   clock_.backend.ghosts().refresh(neighbourhood_.ghost_view(device), rules_of(field).ghosts.view(device),
-                            field.view<Real>(device, exec::Access::read_write), field.components());
+                                  field.view<Real>(device, exec::Access::read_write), field.components());
 }
 
 // On the host, wherever the rest is.

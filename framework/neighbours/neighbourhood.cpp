@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mesogen/exec/dispatch.hpp"
 #include "mesogen/exec/first_failure.hpp"
 #include "neighbours/cell_loops.hpp"
 #include "neighbours/outside.hpp"
@@ -92,12 +93,7 @@ void Neighbourhood::find_blocks() {
   blocks_found_ = true;
   (void)place(sorted_position_);
   if (!blocks_wanted_ && walls_.count() == 0) return;
-  const bool single = scene_.precision == Precision::single_precision;
-  if (scene_.dimension == 2) {
-    single ? find_blocks_of<float, 2>() : find_blocks_of<double, 2>();
-  } else {
-    single ? find_blocks_of<float, 3>() : find_blocks_of<double, 3>();
-  }
+  dispatch(scene_.precision, scene_.dimension, [&]<class Real, int Dim>() { find_blocks_of<Real, Dim>(); });
 }
 
 template <class Real, int Dim>

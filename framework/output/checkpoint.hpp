@@ -24,7 +24,7 @@ struct Checkpoint {
   std::string version;
   std::string instruction_sets;  ///< of the code that the run computed with
   Precision precision = Precision::single_precision;
-  int dimension = 2;
+  int dimension = 0;  ///< of space
   std::map<std::string, std::vector<double>> numbers;
   std::map<std::string, std::vector<std::int64_t>> integers;
   std::map<std::string, std::map<std::string, std::vector<double>>> observers;  ///< by observer, what it saved

@@ -48,7 +48,7 @@ std::vector<std::byte> encode_frame(const std::vector<FrameField>& fields, const
         hdf5::write(memory, field.name, {sizes.begin(), sizes.end()}, field.values, stored_type_of(shape));
     write_unit(dataset, field.unit);
   }
-  write_shown(memory, shown_group, shown_fields(shapes, dimension), particles,
+  write_shown(memory, shown_group, shown_fields(shapes, dimension), particles, dimension,
               {.dataset = [](const FieldShape& field) { return field.name; }}, [&](const FieldShape& wanted) {
                 const auto field = std::ranges::find(fields, wanted.name, &FrameField::name);
                 std::vector<double> values = field->values;

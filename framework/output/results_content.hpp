@@ -18,9 +18,9 @@ namespace mesogen {
 struct ResultsOptions {
   std::filesystem::path folder;  ///< made ready by start_run_folder()
   std::array<double, 3> box{};   ///< edges
-  int dimension = 2;
-  std::vector<bool> periodic;  ///< by axis
-  std::string case_text;       ///< resolved
+  int dimension = 0;             ///< of space
+  std::vector<bool> periodic;    ///< by axis
+  std::string case_text;         ///< resolved
   std::string version;
   std::string build;
   std::int64_t seed = 0;

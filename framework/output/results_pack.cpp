@@ -34,7 +34,7 @@ void copy_frame(const Id& frame, const Id& packed, const FieldShape& field, cons
 void write_shown_of(const Id& file, const ResultsOptions& options, const ResultsContent& content, std::size_t number,
                     const std::function<std::vector<double>(const FieldShape&)>& stored) {
   write_shown(file, packed_shown_group(number), shown_fields(content.fields, options.dimension),
-              static_cast<std::size_t>(options.count),
+              static_cast<std::size_t>(options.count), options.dimension,
               {.dataset = value_name, .frames = content.frames.size(), .frame = number}, stored);
 }
 

@@ -18,6 +18,24 @@ constexpr int tensor_size = 9;
 /// Of one row of a tensor, the first `width` columns.
 Columns row_of_tensor(int row, int from, int width) { return {vector_size * row, from, width}; }
 
+/// All components of an order tensor, those that are neighbours here and there together.
+std::vector<Columns> order_tensor(int dimension) {
+  std::vector<Columns> all;
+  for (int row = 0; row < dimension; ++row)
+    for (int column = 0; column < dimension; ++column) {
+      const int to = vector_size * row + column;
+      const int from = order_tensor_place(row, column, dimension);
+      if (from < 0) {
+        all.push_back({to, 0, 1, true});
+      } else if (column > 0 && from == all.back().from + all.back().width) {
+        ++all.back().width;
+      } else {
+        all.push_back({to, from, 1});
+      }
+    }
+  return all;
+}
+
 std::vector<ShownField> shown(const FieldShape& field, int dimension) {
   const auto as = [&](int components, std::vector<Columns> columns) {
     return std::vector<ShownField>{{field.name, components, field.type, field, std::move(columns)}};
@@ -29,8 +47,8 @@ std::vector<ShownField> shown(const FieldShape& field, int dimension) {
     for (int row = 0; row < dimension; ++row) rows.push_back(row_of_tensor(row, row * dimension, dimension));
     return as(tensor_size, std::move(rows));
   }
-  if (field.rank == Rank::order_tensor && field.components == 2)
-    return as(tensor_size, {row_of_tensor(0, 0, 2), row_of_tensor(1, 1, 1), {4, 0, 1, true}});
+  if (field.rank == Rank::order_tensor && field.components == component_count(Rank::order_tensor, dimension))
+    return as(tensor_size, order_tensor(dimension));
   std::vector<ShownField> all;
   for (int c = 0; c < field.components; ++c)
     all.push_back({field.name + "_" + std::to_string(c), 1, field.type, field, {{0, c, 1}}});
@@ -53,10 +71,13 @@ std::vector<double> directors(const std::vector<double>& order_tensor) {
   return result;
 }
 
-/// -Q11 of each particle.
-std::vector<double> last_diagonal(const std::vector<double>& order_tensor) {
-  std::vector<double> result(order_tensor.size() / 2);
-  for (std::size_t i = 0; i < result.size(); ++i) result[i] = 0.0 - order_tensor[2 * i];
+/// The last component of the diagonal, minus the sum of the others, of each particle.
+std::vector<double> last_diagonal(const std::vector<double>& order_tensor, int dimension) {
+  const auto stored = static_cast<std::size_t>(component_count(Rank::order_tensor, dimension));
+  std::vector<double> result(order_tensor.size() / stored);
+  for (std::size_t i = 0; i < result.size(); ++i)
+    for (int d = 0; d < dimension - 1; ++d)
+      result[i] -= order_tensor[stored * i + static_cast<std::size_t>(order_tensor_place(d, d, dimension))];
   return result;
 }
 
@@ -105,7 +126,8 @@ std::vector<ShownField> shown_fields(const std::vector<FieldShape>& fields, int 
 }
 
 void write_shown(const Id& file, const std::string& group, const std::vector<ShownField>& shown, std::size_t particles,
-                 const FramePlace& place, const std::function<std::vector<double>(const FieldShape&)>& values) {
+                 int dimension, const FramePlace& place,
+                 const std::function<std::vector<double>(const FieldShape&)>& values) {
   const std::string computed = group + "/computed";
   make_groups(file, computed);
   for (const ShownField& field : shown) {
@@ -116,7 +138,7 @@ void write_shown(const Id& file, const std::string& group, const std::vector<Sho
     if (std::ranges::any_of(field.columns, &Columns::computed)) {
       const std::vector<double> stored = values(field.source);
       hdf5::write(file, name, sizes_of(particles, computed_components),
-                  director ? directors(stored) : last_diagonal(stored), stored_type_of(shape));
+                  director ? directors(stored) : last_diagonal(stored, dimension), stored_type_of(shape));
     }
 
     const Id list(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, "set up a view");

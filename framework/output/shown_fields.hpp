@@ -13,7 +13,8 @@
 /// The readers XDMF 2 and Xdmf3 both take whole datasets and nothing else: Xdmf3 crashes on a hyperslab and leaves out
 /// what a function computes (tried with ParaView 5.11). A vector of ParaView has 3 components and a tensor 9, whatever
 /// the dimension. So these datasets have that shape. Most are virtual, views of the stored values that take no room;
-/// only what is not stored elsewhere is computed and written: the director, and Q22 = -Q11 of an order tensor.
+/// only what is not stored elsewhere is computed and written: the director, and the last component of the diagonal of
+/// an order tensor.
 namespace mesogen::output {
 
 /// One array as ParaView has it.
@@ -33,8 +34,8 @@ struct ShownField {
   std::vector<Columns> columns;  ///< all other components are 0
 };
 
-/// In the order of the fields; the director behind the order tensor. A field of unknown rank is shown as a
-/// scalar for each component.
+/// In the order of the fields; in two dimensions the director behind the order tensor. A field of unknown rank is shown
+/// as a scalar for each component.
 std::vector<ShownField> shown_fields(const std::vector<FieldShape>& fields, int dimension);
 
 /// Where the values of a frame lie in the same file.
@@ -45,9 +46,9 @@ struct FramePlace {
 };
 
 /// Makes the datasets in a group of `file`, named by its path from the root. `values` gives those of an order tensor as
-/// they are stored, particles x 2.
+/// they are stored, row by row.
 void write_shown(const hdf5::Id& file, const std::string& group, const std::vector<ShownField>& shown,
-                 std::size_t particles, const FramePlace& place,
+                 std::size_t particles, int dimension, const FramePlace& place,
                  const std::function<std::vector<double>(const FieldShape&)>& values);
 
 }  // namespace mesogen::output

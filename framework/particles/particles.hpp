@@ -13,7 +13,7 @@ struct Particles {
   explicit Particles(exec::DeviceMemory* memory = nullptr)
       : position(exec::axis_arrays<double>(memory)), images(exec::axis_arrays<std::int32_t>(memory)), id(memory) {}
 
-  int dimension = 2;
+  int dimension = 0;                      ///< of space
   exec::AxisArrays<double> position;      ///< m
   exec::AxisArrays<std::int32_t> images;  ///< boxes crossed along each axis
   exec::Array<std::int64_t> id;

@@ -48,6 +48,8 @@ std::string descriptor_problem(const PluginDescriptor& descriptor) {
                        descriptor.name == nullptr ? "" : descriptor.name);
   if (descriptor.version == nullptr || descriptor.summary == nullptr || descriptor.create == nullptr)
     return "its descriptor lacks a version, a summary or a factory";
+  if (descriptor.dimensions.common(DimensionSet(AllDimensions{})).empty())
+    return fmt::format("it has no form in any dimension: there are {}", DimensionSet(AllDimensions{}).text());
   return {};
 }
 

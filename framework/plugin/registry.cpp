@@ -182,18 +182,38 @@ std::vector<std::string> PluginRegistry::paths() const {
 
 namespace {
 
+void require_dimension(const PluginDescriptor& plugin, int dimension) {
+  if (!plugin.dimensions.contains(dimension))
+    throw Error(ExitCode::bad_case,
+                fmt::format("the {} plugin \"{}\" has no form for {} dimensions: it has {} for {}; a scene has as many "
+                            "dimensions as domain.size has numbers",
+                            to_string(plugin.kind), plugin.name, dimension,
+                            plugin.dimensions.list().size() == 1 ? "one" : "forms", plugin.dimensions.text()));
+  if (!built_dimensions.contains(dimension))
+    throw Error(ExitCode::bad_case,
+                fmt::format("this Mesogen is built for {} dimensions, not for {}", built_dimensions.text(), dimension));
+}
+
 /// A new object of a plugin whose kind is that of Base.
 template <class Base>
-PluginPointer<Base> create(const PluginDescriptor& descriptor, Precision precision, int dimension) {
-  void* object = call_plugin(descriptor.name, "constructor", [&] { return descriptor.create(precision, dimension); });
+PluginPointer<Base> create(const PluginDescriptor& plugin, Precision precision, int dimension) {
+  require_dimension(plugin, dimension);
+  void* object = call_plugin(plugin.name, "constructor", [&] { return plugin.create(precision, dimension); });
   if (object == nullptr)
     throw Error(ExitCode::bad_case, fmt::format("the {} plugin \"{}\" has no form for {} dimensions in {} precision",
-                                                to_string(descriptor.kind), descriptor.name, dimension,
-                                                precision == Precision::single_precision ? "single" : "double"));
-  return {static_cast<Base*>(object), DeletePlugin{descriptor.name}};
+                                                to_string(plugin.kind), plugin.name, dimension, to_string(precision)));
+  return {static_cast<Base*>(object), DeletePlugin{plugin.name}};
+}
+
+/// The same of a plugin whose class does not depend on the precision.
+template <class Base>
+PluginPointer<Base> create(const PluginDescriptor& plugin, int dimension) {
+  return create<Base>(plugin, Precision::double_precision, dimension);
 }
 
 }  // namespace
+
+DimensionSet usable_dimensions(const PluginDescriptor& plugin) { return plugin.dimensions.common(built_dimensions); }
 
 const PluginDescriptor& PluginRegistry::descriptor(PluginKind kind, std::string_view name) const {
   const auto* plugin = find(kind, name);
@@ -201,22 +221,29 @@ const PluginDescriptor& PluginRegistry::descriptor(PluginKind kind, std::string_
   return *plugin->descriptor;
 }
 
-PluginPointer<Kernel> PluginRegistry::make_kernel(std::string_view name) const {
-  return create<Kernel>(descriptor(PluginKind::kernel, name), Precision::double_precision, 2);
+int PluginRegistry::smallest_dimension(PluginKind kind, std::string_view name) const {
+  const PluginDescriptor& plugin = descriptor(kind, name);
+  const std::vector<int> usable = usable_dimensions(plugin).list();
+  if (usable.empty()) require_dimension(plugin, built_dimensions.list().front());
+  return usable.front();
 }
 
-std::unique_ptr<Boundary> PluginRegistry::make_boundary(std::string_view name, std::string length_unit) const {
+PluginPointer<Kernel> PluginRegistry::make_kernel(std::string_view name, int dimension) const {
+  return create<Kernel>(descriptor(PluginKind::kernel, name), dimension);
+}
+
+std::unique_ptr<Boundary> PluginRegistry::make_boundary(std::string_view name, int dimension,
+                                                        std::string length_unit) const {
   return std::make_unique<NamedBoundary>(
-      std::string(name), create<Boundary>(descriptor(PluginKind::boundary, name), Precision::double_precision, 2),
-      std::move(length_unit));
+      std::string(name), create<Boundary>(descriptor(PluginKind::boundary, name), dimension), std::move(length_unit));
 }
 
-PluginPointer<Initial> PluginRegistry::make_initial(std::string_view name) const {
-  return create<Initial>(descriptor(PluginKind::initial, name), Precision::double_precision, 2);
+PluginPointer<Initial> PluginRegistry::make_initial(std::string_view name, int dimension) const {
+  return create<Initial>(descriptor(PluginKind::initial, name), dimension);
 }
 
-PluginPointer<Observer> PluginRegistry::make_observer(std::string_view name) const {
-  return create<Observer>(descriptor(PluginKind::observer, name), Precision::double_precision, 2);
+PluginPointer<Observer> PluginRegistry::make_observer(std::string_view name, int dimension) const {
+  return create<Observer>(descriptor(PluginKind::observer, name), dimension);
 }
 
 PluginPointer<Physics> PluginRegistry::make_physics(std::string_view name, Precision precision, int dimension) const {

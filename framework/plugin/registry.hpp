@@ -33,6 +33,9 @@ struct LoadedPlugin {
   std::string instruction_set;  ///< "baseline", "x86-64-v3", "x86-64-v4"
 };
 
+/// The dimensions in which a plugin can be used: those for which both it has a form and Mesogen is built.
+MESOGEN_EXPORT DimensionSet usable_dimensions(const PluginDescriptor& plugin);
+
 /// A file of a plugin folder that could not be used, and why.
 struct RefusedPlugin {
   std::filesystem::path file;
@@ -71,12 +74,16 @@ class MESOGEN_EXPORT PluginRegistry {
   [[nodiscard]] Error missing(std::string_view name) const;
 
   /// A new object each. Throw missing(), and Error if the plugin has no form for this precision and dimension.
-  [[nodiscard]] PluginPointer<Kernel> make_kernel(std::string_view name) const;
+  [[nodiscard]] PluginPointer<Kernel> make_kernel(std::string_view name, int dimension) const;
   /// `length_unit`: of the case, for messages about places.
-  [[nodiscard]] std::unique_ptr<Boundary> make_boundary(std::string_view name, std::string length_unit = "m") const;
-  [[nodiscard]] PluginPointer<Initial> make_initial(std::string_view name) const;
-  [[nodiscard]] PluginPointer<Observer> make_observer(std::string_view name) const;
+  [[nodiscard]] std::unique_ptr<Boundary> make_boundary(std::string_view name, int dimension,
+                                                        std::string length_unit = "m") const;
+  [[nodiscard]] PluginPointer<Initial> make_initial(std::string_view name, int dimension) const;
+  [[nodiscard]] PluginPointer<Observer> make_observer(std::string_view name, int dimension) const;
   [[nodiscard]] PluginPointer<Physics> make_physics(std::string_view name, Precision precision, int dimension) const;
+  /// A dimension in which a plugin can be asked what it is, without a case: the smallest of its own for which Mesogen
+  /// is built. Throws missing(), and Error if there is none.
+  [[nodiscard]] int smallest_dimension(PluginKind kind, std::string_view name) const;
   /// Has a physics plugin a library for CUDA?
   [[nodiscard]] bool has_cuda(std::string_view physics) const;
   /// Loads that library: why it cannot be used; empty if it can.

@@ -3,42 +3,47 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mesogen/exec/dispatch.hpp"
+
 namespace mesogen {
 
 namespace {
 
 /// Calls visit(j, squared distance) for every j in the cells around particle i of a cell.
-template <class Real, class Visit>
-void visit_around(const Neighbours<Real, 2>& grid, const Segment<Real, 2>* segments, int count, Index i,
+template <class Real, int Dim, class Visit>
+void visit_around(const Neighbours<Real, Dim>& grid, const Segment<Real, Dim>* segments, int count, Index i,
                   const Visit& visit) {
   for (int s = 0; s < count; ++s) {
-    const Real x = grid.local[0][i] - segments[s].offset[0];
-    const Real y = grid.local[1][i] - segments[s].offset[1];
+    Real at[Dim];
+    for (int d = 0; d < Dim; ++d) at[d] = grid.local[d][i] - segments[s].offset[d];
     for (Index j = segments[s].begin; j < segments[s].end; ++j) {
-      const Real dx = x - grid.local[0][j];
-      const Real dy = y - grid.local[1][j];
-      if (j != i) visit(j, dx * dx + dy * dy);
+      Real square = Real(0);
+      for (int d = 0; d < Dim; ++d) {
+        const Real distance = at[d] - grid.local[d][j];
+        square += distance * distance;
+      }
+      if (j != i) visit(j, square);
     }
   }
 }
 
-template <class Real>
+template <class Real, int Dim>
 std::optional<ClosestPair> closest_pair_of(const State& state, double within) {
-  Neighbours<Real, 2> grid{};
+  Neighbours<Real, Dim> grid{};
   state.neighbourhood.fill(grid, exec::Side::host);
   // A wall is for nobody to pair with.
   grid.wall_begin = grid.wall_end = nullptr;
   // The grid is made for the support; only the next cells matter here. Until they are sorted anew two particles stand
   // up to half a skin outside their cells, each.
-  for (int d = 0; d < 2; ++d)
+  for (int d = 0; d < Dim; ++d)
     grid.reach[d] =
         std::min(grid.reach[d], static_cast<int>(std::ceil((within + state.neighbourhood.skin()) / grid.width[d])));
   const auto in_cell = [&grid](int cell, const auto& action) {
-    int at[2];
+    int at[Dim];
     grid.cell_coordinates(cell, at);
     const int index = grid.cell_index(at);
     if (grid.cell_begin[index] == grid.cell_end[index]) return;
-    Segment<Real, 2> segments[Neighbours<Real, 2>::most_segments];
+    Segment<Real, Dim> segments[Neighbours<Real, Dim>::most_segments];
     const int count = grid.segments(at, segments);
     for (Index i = grid.cell_begin[index]; i < grid.cell_end[index]; ++i) action(i, segments, count);
   };
@@ -48,7 +53,7 @@ std::optional<ClosestPair> closest_pair_of(const State& state, double within) {
   const Real limit = closest;
 #pragma omp parallel for schedule(static) reduction(min : closest)
   for (int cell = 0; cell < cells; ++cell)
-    in_cell(cell, [&](Index i, const Segment<Real, 2>* segments, int count) {
+    in_cell(cell, [&](Index i, const Segment<Real, Dim>* segments, int count) {
       visit_around(grid, segments, count, i, [&](Index, Real square) { closest = std::min(closest, square); });
     });
   if (!(closest < limit)) return std::nullopt;
@@ -57,7 +62,7 @@ std::optional<ClosestPair> closest_pair_of(const State& state, double within) {
   ClosestPair pair{-1, -1, within};
   Real least = limit;
   for (int cell = 0; cell < cells; ++cell)
-    in_cell(cell, [&](Index i, const Segment<Real, 2>* segments, int count) {
+    in_cell(cell, [&](Index i, const Segment<Real, Dim>* segments, int count) {
       visit_around(grid, segments, count, i, [&](Index j, Real square) {
         if (!(square < least)) return;
         least = square;
@@ -72,7 +77,8 @@ std::optional<ClosestPair> closest_pair_of(const State& state, double within) {
 }  // namespace
 
 std::optional<ClosestPair> closest_pair(const State& state, double within) {
-  return state.single() ? closest_pair_of<float>(state, within) : closest_pair_of<double>(state, within);
+  return dispatch(state.scene.precision, state.scene.dimension,
+                  [&]<class Real, int Dim>() { return closest_pair_of<Real, Dim>(state, within); });
 }
 
 }  // namespace mesogen

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "case/arrangement.hpp"
+#include "mesogen/exec/dispatch.hpp"
 #include "text/rounded_text.hpp"
 
 namespace mesogen {
@@ -15,19 +16,19 @@ namespace {
 
 constexpr double least_determinant = 1e-5;
 constexpr double jitter_of_motion = 0.25;  // spacings
-constexpr int patch_width = 24;            // spacings
+constexpr double particles_of_patch = 24 * 24;
 // From here on all kernels have enough: with a support of three spacings Wendland C6, the steepest, leaves 1e-3 at the
 // largest jitter.
 constexpr double always_enough = 3.0;  // spacings
 
-double nearest_image(double distance) {
-  if (distance > 0.5 * patch_width) return distance - patch_width;
-  return distance < -0.5 * patch_width ? distance + patch_width : distance;
+/// Edge of the patch in spacings: an even number, for the rows of a hexagonal arrangement.
+int patch_width(int dimension) {
+  return 2 * static_cast<int>(std::lround(std::pow(particles_of_patch, 1.0 / dimension) / 2.0));
 }
 
 Arrangement patch_of(const Case& source, bool moving) {
   Case patch;
-  patch.domain.size = {patch_width, patch_width};
+  patch.domain.size.assign(source.domain.size.size(), patch_width(source.dimension()));
   patch.particles = source.particles;
   patch.particles.spacing = 1.0;
   if (moving) {
@@ -38,74 +39,87 @@ Arrangement patch_of(const Case& source, bool moving) {
   return arrange(patch);
 }
 
-/// Sums over the neighbours of one particle, as sph/passes/fits.hpp has them; lengths in smoothing lengths.
+template <int Dim>
+using Vector = std::array<double, static_cast<std::size_t>(Dim)>;
+
+double nearest_image(double distance, double width) {
+  if (distance > 0.5 * width) return distance - width;
+  return distance < -0.5 * width ? distance + width : distance;
+}
+
+/// The sums over the neighbours of one particle whose matrices sph/passes/fits.hpp inverts, as one matrix of moments
+/// of (r, rr); lengths in smoothing lengths. Eliminating r leaves F - T.B.T, with B the inverse of the first matrix.
+template <int Dim>
 class Moments {
  public:
-  void add(double weight, double x, double y) {
-    const std::array<double, 3> second = {x * x, x * y, y * y};
-    for (std::size_t n = 0; n < 3; ++n) {
-      alpha_[n] += weight * second[n];
-      t_[n] += weight * second[n] * x;
-      f_[n] += weight * second[n] * x * x;
-    }
-    t_[3] += weight * y * y * y;
-    f_[3] += weight * y * y * y * x;
-    f_[4] += weight * y * y * y * y;
+  void add(double weight, const Vector<Dim>& r) {
+    std::array<double, size> basis{};
+    std::size_t n = 0;
+    for (const double x : r) basis[n++] = x;
+    for (std::size_t a = 0; a < r.size(); ++a)
+      for (std::size_t b = a; b < r.size(); ++b) basis[n++] = r[a] * r[b];
+    for (std::size_t row = 0; row < size; ++row)
+      for (std::size_t column = 0; column < size; ++column) matrix_[row][column] += weight * basis[row] * basis[column];
   }
 
-  [[nodiscard]] double of_gradient() const { return alpha_[0] * alpha_[2] - alpha_[1] * alpha_[1]; }
-
-  /// Of F - T.B.T, B the inverse of the first matrix.
-  [[nodiscard]] double of_quadratic() const {
-    const double per = 1.0 / of_gradient();
-    const double b[2][2] = {{alpha_[2] * per, -alpha_[1] * per}, {-alpha_[1] * per, alpha_[0] * per}};
-    double s[3][3];
-    for (std::size_t r = 0; r < 3; ++r)
-      for (std::size_t c = 0; c < 3; ++c) {
-        s[r][c] = f_[r + c];
-        for (std::size_t m = 0; m < 2; ++m)
-          for (std::size_t n = 0; n < 2; ++n) s[r][c] -= t_[r + m] * b[m][n] * t_[c + n];
-      }
-    return s[0][0] * (s[1][1] * s[2][2] - s[1][2] * s[2][1]) - s[0][1] * (s[1][0] * s[2][2] - s[1][2] * s[2][0]) +
-           s[0][2] * (s[1][0] * s[2][1] - s[1][1] * s[2][0]);
+  struct Determinants {
+    double of_gradient = 1.0;
+    double of_quadratic = 1.0;
+  };
+  /// The matrix is symmetric and has no negative eigenvalue: it needs no pivoting.
+  [[nodiscard]] Determinants determinants() const {
+    Determinants result;
+    auto left = matrix_;
+    for (std::size_t n = 0; n < size; ++n) {
+      (n < linear ? result.of_gradient : result.of_quadratic) *= left[n][n];
+      for (std::size_t row = n + 1; row < size; ++row)
+        for (std::size_t column = n + 1; column < size; ++column)
+          left[row][column] -= left[row][n] * left[n][column] / left[n][n];
+    }
+    return result;
   }
 
  private:
-  std::array<double, 3> alpha_{};
-  std::array<double, 4> t_{};
-  std::array<double, 5> f_{};
+  static constexpr std::size_t linear = Dim;
+  static constexpr std::size_t size = linear + linear * (linear + 1) / 2;
+  std::array<std::array<double, size>, size> matrix_{};
 };
 
 /// `h`: smoothing length in spacings, which are 1 here.
+template <int Dim>
 bool is_enough(const sph::KernelShape& shape, double h, const Arrangement& patch, bool quadratic) {
-  const double scale = shape.normalisation(2) / (h * h);
+  const double scale = shape.normalisation(Dim) / std::pow(h, Dim);
   const double radius = h * shape.support();
-  const auto& x = patch.position[0];
-  const auto& y = patch.position[1];
+  const double width = patch_width(Dim);
+  const auto count = static_cast<std::size_t>(patch.count);
   const auto for_neighbours = [&](std::size_t i, const auto& action) {
-    for (std::size_t j = 0; j < x.size(); ++j) {
-      const double dx = nearest_image(x[j] - x[i]);
-      const double dy = nearest_image(y[j] - y[i]);
-      const double square = dx * dx + dy * dy;
-      if (square < radius * radius) action(j, dx, dy, std::sqrt(square));
+    for (std::size_t j = 0; j < count; ++j) {
+      Vector<Dim> apart{};
+      double square = 0.0;
+      for (std::size_t d = 0; d < apart.size(); ++d) {
+        apart[d] = nearest_image(patch.position[d][j] - patch.position[d][i], width);
+        square += apart[d] * apart[d];
+      }
+      if (square < radius * radius) action(j, apart, std::sqrt(square));
     }
   };
-  std::vector<double> volume(x.size());
-  for (std::size_t i = 0; i < x.size(); ++i) {
+  std::vector<double> volume(count);
+  for (std::size_t i = 0; i < count; ++i) {
     double sum = 0.0;
-    for_neighbours(i, [&](std::size_t, double, double, double r) { sum += scale * shape.value(r / h); });
+    for_neighbours(i, [&](std::size_t, const Vector<Dim>&, double r) { sum += scale * shape.value(r / h); });
     volume[i] = 1.0 / sum;
   }
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    Moments moments;
-    for_neighbours(i, [&](std::size_t j, double dx, double dy, double r) {
+  for (std::size_t i = 0; i < count; ++i) {
+    Moments<Dim> moments;
+    for_neighbours(i, [&](std::size_t j, Vector<Dim> apart, double r) {
       if (j == i) return;
+      for (double& x : apart) x /= h;
       // |W'| / r in spacings; moments of lengths in h, but for those of the gradient in all, which have 1 as their sum.
-      const double weight = volume[j] * std::abs(scale * shape.derivative(r / h)) * h / r;
-      moments.add(weight, dx / h, dy / h);
+      moments.add(volume[j] * std::abs(scale * shape.derivative(r / h)) * h / r, apart);
     });
-    if (!(moments.of_gradient() >= least_determinant)) return false;
-    if (quadratic && !(moments.of_quadratic() >= least_determinant)) return false;
+    const auto [of_gradient, of_quadratic] = moments.determinants();
+    if (!(of_gradient >= least_determinant)) return false;
+    if (quadratic && !(of_quadratic >= least_determinant)) return false;
   }
   return true;
 }
@@ -117,12 +131,14 @@ std::string neighbours_problem(const Case& source, const sph::SmoothingKernel& k
   const double support = kernel.shape.support();
   if (given * support >= always_enough) return {};
   const Arrangement patch = patch_of(source, needs.moving);
-  if (is_enough(kernel.shape, given, patch, needs.quadratic)) return {};
+  const auto suffices = [&](double smoothing_length) {
+    return dispatch(source.dimension(),
+                    [&]<int Dim>() { return is_enough<Dim>(kernel.shape, smoothing_length, patch, needs.quadratic); });
+  };
+  if (suffices(given)) return {};
   constexpr double fineness = 100.0;
   double least = std::ceil(std::max(given, 0.9 / support) * fineness);
-  while (least < always_enough / support * fineness &&
-         !is_enough(kernel.shape, least / fineness, patch, needs.quadratic))
-    ++least;
+  while (least < always_enough / support * fineness && !suffices(least / fineness)) ++least;
   const std::string& arrangement = source.particles.arrangement;
   return "is " + rounded_text(given) + " particle spacings, which leaves a particle too few neighbours for " +
          (needs.quadratic ? "second derivatives" : "a gradient") + ": the kernel \"" + source.kernel.type +

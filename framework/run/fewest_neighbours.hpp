@@ -16,7 +16,8 @@ struct NeighbourNeeds {
 /// Why the kernel of a case reaches too few neighbours for the fits of derivatives, and from which smoothing length on
 /// it reaches enough; empty if it does.
 ///
-/// The fit at a particle inverts a matrix of moments: 2 x 2 for a gradient, 3 x 3 more for second derivatives. Where
+/// The fit at a particle inverts a matrix of moments: Dim x Dim for a gradient, one
+/// more for second derivatives. Where
 /// its determinant is below 1e-6 (sph/small_matrix.hpp) there are too few neighbours, or they lie in too few
 /// directions, and the derivative is lost. Here the least determinant over the particles of a periodic patch of the
 /// case's own arrangement is asked for, with a margin of ten. Particles that move are taken to be jittered by a quarter

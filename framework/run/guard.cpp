@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "mesogen/diagnostics/error.hpp"
+#include "mesogen/exec/dispatch.hpp"
 #include "particles/field_loops.hpp"
 #include "run/closest_pair.hpp"
 #include "sph/lattice.hpp"
@@ -63,8 +64,8 @@ exec::Reduction look_outside(const State& state, const Field& field, double lowe
 }
 
 exec::Reduction look_outside(const State& state, const Field& field, double lowest, double highest) {
-  return state.single() ? look_outside<float>(state, field, lowest, highest)
-                        : look_outside<double>(state, field, lowest, highest);
+  return dispatch(state.scene.precision,
+                  [&]<class Real>() { return look_outside<Real>(state, field, lowest, highest); });
 }
 
 // On a lattice of as many particles as the box holds.

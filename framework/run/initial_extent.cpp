@@ -6,22 +6,30 @@
 #include <span>
 #include <vector>
 
+#include "mesogen/exec/dispatch.hpp"
 #include "mesogen/neighbours/point_cells.hpp"
 
 namespace mesogen {
 
 namespace {
 
-using Point = std::array<double, 2>;
+template <int Dim>
+using Point = typename PointCells<Dim>::Point;
 
-Point point_of(const std::array<double, 3>& position) { return {position[0], position[1]}; }
+template <int Dim>
+Point<Dim> point_of(const std::array<double, 3>& position) {
+  Point<Dim> point;
+  std::copy_n(position.begin(), Dim, point.begin());
+  return point;
+}
 
 /// The particle nearest to a point.
-Index nearest(const PointCells<2>& particles, const Point& point, double radius) {
+template <int Dim>
+Index nearest(const PointCells<Dim>& particles, const Point<Dim>& point, double radius) {
   for (;; radius *= 2.0) {
     Index found = -1;
     double least = std::numeric_limits<double>::infinity();
-    particles.within(point, radius, [&](Index j, const Point&, double square) {
+    particles.within(point, radius, [&](Index j, const Point<Dim>&, double square) {
       if (square < least) {
         least = square;
         found = j;
@@ -34,24 +42,28 @@ Index nearest(const PointCells<2>& particles, const Point& point, double radius)
 using Components = std::vector<std::span<const double>>;
 
 /// Points that carry a field: particles, then what lies behind the walls.
+template <int Dim>
 struct Carriers {
-  std::vector<Point> points;
+  std::vector<Point<Dim>> points;
   std::vector<std::vector<double>> values;  // by component
 };
 
-Carriers with_walls(const FieldDeclaration& field, const Components& components, const InitialState& state,
-                    const Boundary& boundary) {
+template <int Dim>
+Carriers<Dim> with_walls(const FieldDeclaration& field, const Components& components, const InitialState& state,
+                         const Boundary& boundary) {
   const Scene& scene = state.scene();
-  Carriers all;
+  Carriers<Dim> all;
   for (const auto& values : components) all.values.emplace_back(values.begin(), values.end());
-  for (std::size_t i = 0; i < components[0].size(); ++i)
-    all.points.push_back({state.position(0)[i], state.position(1)[i]});
+  all.points.resize(components[0].size());
+  for (int d = 0; d < Dim; ++d)
+    for (std::size_t i = 0; i < all.points.size(); ++i)
+      all.points[i][static_cast<std::size_t>(d)] = state.position(d)[i];
   const std::vector<WallParticle> walls = boundary.wall_particles(scene, scene.support);
   if (walls.empty()) return all;
   const FieldKind kind{field.rank, FieldRole::state, scene.dimension};
-  const PointCells<2> particles(scene, all.points, scene.spacing);
+  const PointCells<Dim> particles(scene, all.points, scene.spacing);
   for (const WallParticle& wall : walls) {
-    const auto source = static_cast<std::size_t>(nearest(particles, point_of(wall.mirror), scene.spacing));
+    const auto source = static_cast<std::size_t>(nearest<Dim>(particles, point_of<Dim>(wall.mirror), scene.spacing));
     const AffineRule rule = boundary.wall_rule(scene, kind, wall);
     for (int r = 0; r < kind.components(); ++r) {
       double value = rule.summand(r);
@@ -59,7 +71,7 @@ Carriers with_walls(const FieldDeclaration& field, const Components& components,
         value += rule.matrix(r, c) * components[static_cast<std::size_t>(c)][source];
       all.values[static_cast<std::size_t>(r)].push_back(value);
     }
-    all.points.push_back(point_of(wall.position));
+    all.points.push_back(point_of<Dim>(wall.position));
   }
   return all;
 }
@@ -71,15 +83,18 @@ double length(const std::vector<double>& components) {
   return std::sqrt(square);
 }
 
-double largest_laplacian(const Carriers& all, std::size_t count, const Scene& scene,
+template <int Dim>
+double largest_laplacian(const Carriers<Dim>& all, std::size_t count, const Scene& scene,
                          const sph::SmoothingKernel& kernel) {
-  const PointCells<2> cells(scene, all.points, scene.support);
-  const double volume = scene.box[0] * scene.box[1] / static_cast<double>(count);
+  const PointCells<Dim> cells(scene, all.points, scene.support);
+  double volume = 1.0;
+  for (std::size_t d = 0; d < Dim; ++d) volume *= scene.box[d];
+  volume /= static_cast<double>(count);
   std::vector<double> laplacian(count);
 #pragma omp parallel for schedule(static)
   for (std::size_t i = 0; i < count; ++i) {
     std::vector<double> sum(all.values.size(), 0.0);
-    cells.within(all.points[i], kernel.radius(), [&](Index j, const Point&, double square) {
+    cells.within(all.points[i], kernel.radius(), [&](Index j, const Point<Dim>&, double square) {
       if (!(square > 0.0)) return;
       const double r = std::sqrt(square);
       const double slope =
@@ -108,7 +123,9 @@ InitialExtent initial_extent(const FieldDeclaration& field, InitialState& state,
     extent.largest = std::max(extent.largest, length(value));
   }
   if (field.rank == Rank::order_tensor)
-    extent.laplacian = largest_laplacian(with_walls(field, components, state, boundary), count, state.scene(), kernel);
+    extent.laplacian = dispatch(state.scene().dimension, [&]<int Dim>() {
+      return largest_laplacian<Dim>(with_walls<Dim>(field, components, state, boundary), count, state.scene(), kernel);
+    });
   return extent;
 }
 

@@ -10,11 +10,11 @@
 namespace mesogen {
 
 void log_beginning(Log& log, const Setup& setup, const Stepper::Step& first) {
-  const char* const precision =
-      setup.scene.precision == Precision::single_precision ? "single precision" : "double precision";
+  const std::string_view precision = to_string(setup.scene.precision);
   const int threads = omp_get_max_threads();
-  log.info(fmt::format("{} particles, {} thread{}, {}, first step {} (limit: {})", setup.scene.particle_count, threads,
-                       threads == 1 ? "" : "s", precision, setup.source.units.time_text(first.seconds), first.limit));
+  log.info(fmt::format("{} particles, {} thread{}, {} precision, first step {} (limit: {})", setup.scene.particle_count,
+                       threads, threads == 1 ? "" : "s", precision, setup.source.units.time_text(first.seconds),
+                       first.limit));
   if (const std::string fitted = fitted_spacing_text(setup.source); !fitted.empty())
     log.info("particles.spacing is " + rounded_text(setup.scene.spacing) + " " + setup.source.units.length + ": " +
              fitted);

@@ -38,7 +38,8 @@ void plan_observers(SetupContext& context) {
 void collect_fields_of_unsound_case(SetupContext& context) {
   try {
     for (auto& member : context.setup.physics)
-      member.passes = sample_declaration(*member.plugin, member.type, context.registry);
+      member.passes =
+          sample_declaration(*member.plugin, member.type, context.registry, context.setup.source.dimension());
   } catch (const Error&) {
     return;
   }

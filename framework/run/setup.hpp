@@ -40,7 +40,7 @@ struct MESOGEN_EXPORT Setup {
     std::string type;                 ///< "flow_statistics"
   };
 
-  explicit Setup(Case checked) : source(std::move(checked)), catalogue(2) {}
+  explicit Setup(Case checked) : source(std::move(checked)), catalogue(source.dimension()) {}
 
   Case source;
   const Backend* backend = &Backend::host();  ///< where it runs

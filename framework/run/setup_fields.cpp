@@ -10,12 +10,12 @@ namespace mesogen {
 namespace {
 
 /// ": [director]", the initial conditions that set a field; empty if there is none.
-std::string those_who_set(const std::string& field, const PluginRegistry& registry) {
+std::string those_who_set(const std::string& field, const PluginRegistry& registry, int dimension) {
   std::string text;
   for (const std::string& name : registry.names(PluginKind::initial)) {
     InitialPlan plan;
     try {
-      const auto plugin = registry.make_initial(name);
+      const auto plugin = registry.make_initial(name, dimension);
       call_plugin(name, "plan()", [&] { plugin->plan(plan); });
     } catch (const Error&) {
       continue;  // what is wrong with another plugin is not asked here
@@ -75,7 +75,7 @@ void collect_fields(SetupContext& context) {
     if (entry.declaration.needs_start && !entry.initial)
       context.problems.add({source.file, 0, 0}, name,
                            "this field of " + entry.owner + " needs an initial condition: add a section that sets it" +
-                               those_who_set(name, context.registry));
+                               those_who_set(name, context.registry, source.dimension()));
 }
 
 void choose_output(SetupContext& context) {

@@ -23,8 +23,15 @@ std::string hint_on_section(const CaseSection& section, const PluginRegistry& re
 }
 
 template <class Make>
-auto make(SetupContext& context, const PluginChoice& choice, Make&& made) -> decltype(made(choice.type)) {
+auto make(SetupContext& context, PluginKind kind, const PluginChoice& choice, Make&& made)
+    -> decltype(made(choice.type)) {
   if (choice.type.empty()) return nullptr;
+  // Where the size of the box was refused, the dimension that is meant is not known: a plugin of another is no problem.
+  const Case& source = context.setup.source;
+  const LoadedPlugin* const found = context.registry.find(kind, choice.type);
+  if (source.domain.size.empty() && found != nullptr &&
+      !usable_dimensions(*found->descriptor).contains(source.dimension()))
+    return nullptr;
   try {
     return made(choice.type);
   } catch (const Error& error) {
@@ -52,21 +59,21 @@ void read_parameters(SetupContext& context, const PluginChoice& choice, Plugin& 
 void make_boundary_and_kernel(SetupContext& context) {
   Setup& setup = context.setup;
   const Case& source = setup.source;
-  setup.boundary = make(context, source.boundary, [&](const std::string& type) {
-    return context.registry.make_boundary(type, source.units.length);
+  setup.boundary = make(context, PluginKind::boundary, source.boundary, [&](const std::string& type) {
+    return context.registry.make_boundary(type, source.dimension(), source.units.length);
   });
   read_parameters(context, source.boundary, setup.boundary);
-  setup.kernel =
-      make(context, source.kernel, [&](const std::string& type) { return context.registry.make_kernel(type); });
+  setup.kernel = make(context, PluginKind::kernel, source.kernel,
+                      [&](const std::string& type) { return context.registry.make_kernel(type, source.dimension()); });
   read_parameters(context, source.kernel, setup.kernel);
 }
 
 void make_initial(SetupContext& context, const PluginChoice& choice) {
   Setup& setup = context.setup;
-  auto plugin = make(context, choice, [&](const std::string& name) {
+  auto plugin = make(context, PluginKind::initial, choice, [&](const std::string& name) {
     if (const std::string hint = hint_on_section(choice.section, context.registry); !hint.empty())
       throw Error(ExitCode::bad_case, "unknown section or key" + hint);
-    return context.registry.make_initial(name);
+    return context.registry.make_initial(name, setup.source.dimension());
   });
   context.initial_missing = context.initial_missing || !plugin;
   read_parameters(context, choice, plugin);
@@ -83,16 +90,19 @@ void make_physics(SetupContext& context, const PluginChoice& choice) {
   Setup& setup = context.setup;
   const bool on_device = !setup.backend->on_host() && context.registry.has_cuda(choice.type);
   const Precision precision = setup.source.run.precision;
-  auto plugin = make(context, choice, [&](const std::string& type) {
-    return on_device ? context.registry.make_physics_for_cuda(type, precision, 2)
-                     : context.registry.make_physics(type, precision, 2);
+  const int dimension = setup.source.dimension();
+  auto plugin = make(context, PluginKind::physics, choice, [&](const std::string& type) {
+    return on_device ? context.registry.make_physics_for_cuda(type, precision, dimension)
+                     : context.registry.make_physics(type, precision, dimension);
   });
   read_parameters(context, choice, plugin);
   if (plugin) setup.physics.push_back({"physics." + choice.instance, std::move(plugin), {}, choice.type, on_device});
 }
 
 void make_observer(SetupContext& context, const PluginChoice& choice, const ObserverTiming& timing) {
-  auto plugin = make(context, choice, [&](const std::string& type) { return context.registry.make_observer(type); });
+  auto plugin = make(context, PluginKind::observer, choice, [&](const std::string& type) {
+    return context.registry.make_observer(type, context.setup.source.dimension());
+  });
   read_parameters(context, choice, plugin);
   if (plugin) context.setup.observers.push_back({choice.instance, std::move(plugin), {}, timing, {}, choice.type});
 }

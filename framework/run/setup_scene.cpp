@@ -56,10 +56,10 @@ void describe_scene(SetupContext& context) {
   const Case& source = setup.source;
   Scene& scene = setup.scene;
   setup.arrangement = arrange(source);
-  scene.dimension = 2;
+  scene.dimension = source.dimension();
   scene.precision = source.run.precision;
-  scene.box = {source.domain.size[0], source.domain.size[1], 0.0};
-  for (int d = 0; d < 2; ++d) scene.periodic[d] = setup.boundary->periodic(d);
+  std::ranges::copy(source.domain.size, scene.box.begin());
+  for (int d = 0; d < scene.dimension; ++d) scene.periodic[d] = setup.boundary->periodic(d);
   scene.spacing = source.particles.spacing;
   scene.smoothing_length = setup.smoothing.smoothing_length;
   scene.support = setup.smoothing.radius();

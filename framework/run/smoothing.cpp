@@ -1,5 +1,6 @@
 #include "run/smoothing.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "text/rounded_text.hpp"
@@ -11,7 +12,9 @@ sph::SmoothingKernel smoothing_of(const Case& source, sph::KernelShape shape) {
   kernel.shape = std::move(shape);
   const double h = source.smoothing_length_ratio * source.particles.spacing;
   kernel.smoothing_length = h;
-  kernel.scale = kernel.shape.normalisation(2) / (h * h);
+  double volume = h;
+  for (int d = 1; d < source.dimension(); ++d) volume *= h;
+  kernel.scale = kernel.shape.normalisation(source.dimension()) / volume;
   return kernel;
 }
 
@@ -21,23 +24,25 @@ std::string range_problem(const Case& source, const sph::SmoothingKernel& kernel
   const double most = single ? 1e37 : 1e307;
   const double least = single ? 1e-30 : 1e-300;
   constexpr double q = 1e-3;
-  const double slope = kernel.shape.normalisation(2) * std::abs(kernel.shape.derivative(q)) / q;  // of h = 1
-  const double lowest = std::pow(slope / most, 0.25) / source.smoothing_length_ratio;
-  const double highest = std::pow(slope / least, 0.25) / source.smoothing_length_ratio;
+  const int dimension = source.dimension();
+  const double slope = kernel.shape.normalisation(dimension) * std::abs(kernel.shape.derivative(q)) / q;  // of h = 1
+  const double power = 1.0 / (dimension + 2);
+  const double lowest = std::pow(slope / most, power) / source.smoothing_length_ratio;
+  const double highest = std::pow(slope / least, power) / source.smoothing_length_ratio;
   const double spacing = source.particles.spacing;
   if (spacing >= lowest && spacing <= highest) return {};
-  return "is beyond what the kernel's numbers can be in " + std::string(single ? "single" : "double") +
+  return "is beyond what the kernel's numbers can be in " + std::string(to_string(source.run.precision)) +
          " precision: spacings go from " + rounded_text(lowest) + " to " + rounded_text(highest) + " " +
          source.units.length + "; take " + (single ? "run.precision = \"double\", or " : "") + "another unit of length";
 }
 
 int shortest_axis(const Case& source) {
   const auto& size = source.domain.size;
-  return size.size() == 2 && size[1] < size[0] ? 1 : 0;
+  return static_cast<int>(std::ranges::min_element(size) - size.begin());
 }
 
 std::string support_problem(const Case& source, const sph::SmoothingKernel& kernel, bool walls) {
-  if (source.domain.size.size() != 2) return {};
+  if (source.domain.size.empty()) return {};
   const double most = source.domain.size[static_cast<std::size_t>(shortest_axis(source))] / 2.0;
   if (kernel.radius() <= most) return {};
   const std::string unit = " " + source.units.length;

@@ -1,5 +1,6 @@
 #include "schedule/advection.hpp"
 
+#include "mesogen/exec/dispatch.hpp"
 #include "mesogen/plugin/context.hpp"
 #include "particles/field_loops.hpp"
 
@@ -25,9 +26,7 @@ Pass advection_pass(const FieldDeclaration& field, const Transport& transport, c
   pass.reads({field.name + "_gradient", transport.relative()})
       .accumulates({field.rate})
       .run([=, &backend](const auto& context) {
-        if (context.scene().precision == Precision::single_precision)
-          return advect<float>(context, backend, field, transport);
-        advect<double>(context, backend, field, transport);
+        dispatch(context.scene().precision, [&]<class Real>() { advect<Real>(context, backend, field, transport); });
       });
   return pass;
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "mesogen/exec/dispatch.hpp"
 #include "schedule/derived_name.hpp"
 #include "sph/fixed_weights.hpp"
 #include "sph/pair_loops.hpp"
@@ -15,17 +16,12 @@ constexpr std::size_t most_components = 4;
 }  // namespace
 
 struct DerivedFields::Weights {
-  sph::FixedWeights<float, 2> single;  // that of the run's precision
-  sph::FixedWeights<double, 2> exact;
+  virtual ~Weights() = default;
+};
 
-  template <class Real>
-  auto& of() {
-    if constexpr (sizeof(Real) == sizeof(float)) {
-      return single;
-    } else {
-      return exact;
-    }
-  }
+template <class Real, int Dim>
+struct DerivedFields::WeightsOf final : Weights {
+  sph::FixedWeights<Real, Dim> fixed;
 };
 
 DerivedFields::~DerivedFields() = default;
@@ -102,7 +98,9 @@ void DerivedFields::add_passes(const Wanted& wanted, bool correction, bool at_ea
     // A device computes a weight faster than it reads one.
     const bool on_host = state_.backend.on_host();
     if (on_host && at_each_step && !form_.particles_move && !pass.components.empty())
-      pass.weights = std::make_unique<Weights>();
+      pass.weights = dispatch(
+          state_.scene.precision, state_.scene.dimension,
+          []<class Real, int Dim>() -> std::unique_ptr<Weights> { return std::make_unique<WeightsOf<Real, Dim>>(); });
     pass.finding.title = "framework: weights of " + pass.counter.title;
     pass.counter.title.insert(0, "framework: ");
     passes_.push_back(std::move(pass));
@@ -130,11 +128,8 @@ void DerivedFields::run(PairPass& pass) {
   if (!pass.volume) state_.boundary_values.refresh(state_.fields.at("volume"));
   for (const Component& component : pass.components) state_.boundary_values.refresh(*component.source);
   const Span span(pass.counter, state_.clock.trace);
-  if (state_.single()) {
-    run_pair_sums<float, 2>(pass);
-  } else {
-    run_pair_sums<double, 2>(pass);
-  }
+  dispatch(state_.scene.precision, state_.scene.dimension,
+           [&]<class Real, int Dim>() { run_pair_sums<Real, Dim>(pass); });
   state_.clock.end_of_work();
   pass.positions = state_.neighbourhood.version();
   for (std::size_t n = 0; n < pass.components.size(); ++n) {
@@ -172,7 +167,7 @@ void DerivedFields::run_pair_sums(PairPass& pass) {
   if (pass.correction != nullptr && (new_positions || !pass.weights)) wanted.correction = write(*pass.correction);
   if (!pass.weights || wanted.correction) loops.derivatives(neighbours, state_.kernel, wanted);
   if (!pass.weights) return;
-  auto& weights = pass.weights->of<Real>();
+  auto& weights = static_cast<WeightsOf<Real, Dim>&>(*pass.weights).fixed;
   if (new_positions) {
     const Span span(pass.finding, state_.clock.trace);
     sph::find_weights<Real, Dim>(neighbours, state_.kernel, wanted, weights);

@@ -42,7 +42,9 @@ class MESOGEN_EXPORT DerivedFields {
     Field* gradient;   // may be null
     Field* laplacian;  // may be null
   };
-  struct Weights;  // of particles that keep still
+  struct Weights;  // of particles that keep still, in the run's precision and dimension
+  template <class Real, int Dim>
+  struct WeightsOf;
   struct PairPass {
     std::vector<Component> components;
     Field* correction = nullptr;

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "mesogen/diagnostics/error.hpp"
+#include "mesogen/exec/dispatch.hpp"
 #include "mesogen/plugin/context.hpp"
 #include "plugin/plugin_call.hpp"
 #include "schedule/derived_name.hpp"
@@ -61,10 +62,8 @@ class ScheduledContext final : public PassContext {
                   "it asks for neighbours, and declares none that it reads: name the fields that it reads at them in "
                   "the pass's reads_neighbours");
     const Neighbourhood& all = state_.neighbourhood;
-    if (dimension == 2 && state_.single()) all.fill(*static_cast<Neighbours<float, 2>*>(grid), side_);
-    if (dimension == 2 && !state_.single()) all.fill(*static_cast<Neighbours<double, 2>*>(grid), side_);
-    if (dimension == 3 && state_.single()) all.fill(*static_cast<Neighbours<float, 3>*>(grid), side_);
-    if (dimension == 3 && !state_.single()) all.fill(*static_cast<Neighbours<double, 3>*>(grid), side_);
+    dispatch(state_.scene.precision, dimension,
+             [&]<class Real, int Dim>() { all.fill(*static_cast<Neighbours<Real, Dim>*>(grid), side_); });
   }
 
  private:

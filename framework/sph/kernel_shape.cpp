@@ -38,12 +38,13 @@ double KernelShape::derivative(double q) const {
 double KernelShape::normalisation(int dimension) const {
   // The integral over a sphere of dimension D: surface(D) * int_0^k (k - q)^d q^(D-1) dq, the latter
   // k^(d+D) (D-1)! / ((d+1) ... (d+D)).
-  const double surface = dimension == 1 ? 2.0 : (dimension == 2 ? 2.0 * std::numbers::pi : 4.0 * std::numbers::pi);
+  const double surface = 2.0 * std::pow(std::numbers::pi, 0.5 * dimension) / std::tgamma(0.5 * dimension);
   double integral = 0.0;
   for (const auto& piece : pieces) {
     int d = power;
     for (const double c : piece.coefficients) {
-      double term = std::pow(piece.knot, d + dimension) * (dimension == 3 ? 2.0 : 1.0);
+      double term = std::pow(piece.knot, d + dimension);
+      for (int m = 2; m < dimension; ++m) term *= m;
       for (int m = 1; m <= dimension; ++m) term /= d + m;
       integral += c * term;
       ++d;

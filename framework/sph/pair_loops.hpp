@@ -1,23 +1,38 @@
 #pragma once
 
 #include "exec/backend.hpp"
+#include "mesogen/particles/dimensions.hpp"
 #include "sph/standard_passes.hpp"
 
 namespace mesogen::exec {
 
-/// The framework's sums over neighbours; see sph/standard_passes.hpp.
-template <class Real>
-class PairLoops {
+/// The framework's sums over neighbours, for one dimension; see sph/standard_passes.hpp.
+template <class Real, int Dim>
+class PairLoopsIn {
  public:
-  PairLoops() = default;
-  PairLoops(const PairLoops&) = delete;
-  PairLoops& operator=(const PairLoops&) = delete;
-  virtual ~PairLoops() = default;
+  PairLoopsIn() = default;
+  PairLoopsIn(const PairLoopsIn&) = delete;
+  PairLoopsIn& operator=(const PairLoopsIn&) = delete;
+  virtual ~PairLoopsIn() = default;
 
-  virtual void volumes(const Neighbours<Real, 2>& neighbours, const sph::SmoothingKernel& kernel,
+  virtual void volumes(const Neighbours<Real, Dim>& neighbours, const sph::SmoothingKernel& kernel,
                        FieldView<Real> volume) const = 0;
-  virtual void derivatives(const Neighbours<Real, 2>& neighbours, const sph::SmoothingKernel& kernel,
-                           const sph::Derivatives<Real, 2>& wanted) const = 0;
+  virtual void derivatives(const Neighbours<Real, Dim>& neighbours, const sph::SmoothingKernel& kernel,
+                           const sph::Derivatives<Real, Dim>& wanted) const = 0;
 };
+
+template <class Real, class Known>
+class PairLoopsAmong;
+
+template <class Real, int... Dims>
+class PairLoopsAmong<Real, Dimensions<Dims...>> : public PairLoopsIn<Real, Dims>... {
+ public:
+  using PairLoopsIn<Real, Dims>::volumes...;
+  using PairLoopsIn<Real, Dims>::derivatives...;
+};
+
+/// The same for each dimension that Mesogen is built for.
+template <class Real>
+class PairLoops : public PairLoopsAmong<Real, BuiltDimensions> {};
 
 }  // namespace mesogen::exec

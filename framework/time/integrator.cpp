@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "mesogen/exec/dispatch.hpp"
 #include "particles/field_loops.hpp"
 
 namespace mesogen {
@@ -63,7 +64,7 @@ exec::Reduction Integrator::advance(const Advanced& one, Field& from, double by)
 }
 
 exec::Reduction Integrator::advance(const Advanced& one, Field& from, double by) {
-  return state_.single() ? advance<float>(one, from, by) : advance<double>(one, from, by);
+  return dispatch(state_.scene.precision, [&]<class Real>() { return advance<Real>(one, from, by); });
 }
 
 template <class Real>
@@ -81,7 +82,7 @@ exec::Reduction Integrator::move(double by, double shift_by) {
 std::optional<exec::Reduction> Integrator::move(double by, double shift_by) {
   if (velocity_ == nullptr || fixed_) return {};
   state_.order.mark_moved();
-  return state_.single() ? move<float>(by, shift_by) : move<double>(by, shift_by);
+  return dispatch(state_.scene.precision, [&]<class Real>() { return move<Real>(by, shift_by); });
 }
 
 void Integrator::predict(double step_size) {
@@ -113,8 +114,7 @@ exec::Reduction Integrator::move_by_passes(double step_size, bool to_midpoint) {
 
 exec::Reduction Integrator::move_by_passes(double step_size, bool to_midpoint) {
   state_.order.mark_moved();
-  return state_.single() ? move_by_passes<float>(step_size, to_midpoint)
-                         : move_by_passes<double>(step_size, to_midpoint);
+  return dispatch(state_.scene.precision, [&]<class Real>() { return move_by_passes<Real>(step_size, to_midpoint); });
 }
 
 Motion Integrator::correct(double step_size) {
@@ -166,7 +166,7 @@ void Integrator::look(double step_size, Motion& motion) const {
 }
 
 void Integrator::look(double step_size, Motion& motion) const {
-  state_.single() ? look<float>(step_size, motion) : look<double>(step_size, motion);
+  dispatch(state_.scene.precision, [&]<class Real>() { look<Real>(step_size, motion); });
 }
 
 double Integrator::largest_acceleration() const {

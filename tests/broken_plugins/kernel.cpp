@@ -46,7 +46,8 @@ constexpr mesogen::PluginDescriptor descriptor{MAGIC,
                                                NAME,
                                                VERSION,
                                                SUMMARY,
-                                               &mesogen::detail::create_plain<mesogen::Kernel, Cubic>};
+                                               mesogen::DimensionSet{2, 3},
+                                               &mesogen::detail::create_class<mesogen::Kernel, Cubic>};
 
 }  // namespace
 

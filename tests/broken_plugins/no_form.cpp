@@ -6,4 +6,4 @@ namespace {
 void* create_nothing(mesogen::Precision, int) { return nullptr; }
 }  // namespace
 
-MESOGEN_PLUGIN_(boundary, &create_nothing, "no_form", "1.0.0", "A boundary without a form")
+MESOGEN_PLUGIN_(boundary, "no_form", "1.0.0", "A boundary without a form", mesogen::DimensionSet{2}, &create_nothing)

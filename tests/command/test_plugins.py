@@ -125,6 +125,27 @@ class Plugins(CommandTest):
                          ("defects", "m, m, 1, rad", 4, True))
         self.assertEqual(self.info("quintic")["shape"]["support"], 3.0)
 
+    def test_info_tells_the_dimensions(self):
+        # What a plugin does not limit is limited by those that Mesogen is built for.
+        for name in ("friction", "beris_edwards", "quintic", "defects"):
+            out, _ = self.mesogen("plugin", "info", name)
+            self.assertRegex(out, r"(?m)^dimensions: 2$")
+            self.assertEqual(self.info(name)["dimensions"], [2])
+
+    def test_plugin_of_a_dimension_that_is_not_built(self):
+        folder = os.path.join(BROKEN_PLUGINS, "solid")
+        out, _ = self.mesogen("plugin", "list", "--json", "--plugin-path", folder)
+        dimensions = {plugin["name"]: plugin["dimensions"] for plugin in json.loads(out)["plugins"]}
+        self.assertEqual((dimensions["solid_physics"], dimensions["friction"]), ([], [2]))
+        refusal = ('the physics plugin "solid_physics" has no form for 2 dimensions: it has one for 3; a scene has as '
+                   "many dimensions as domain.size has numbers")
+        for verb in (("plugin", "info"), ("plugin", "check")):
+            _, err = self.mesogen(*verb, "solid_physics", "--plugin-path", folder, code=2)
+            self.assertIn(refusal, err)
+        case = self.write_case(CASE + '[physics.solid]\ntype = "solid_physics"\n')
+        _, err = self.mesogen("check", case, "--plugin-path", folder, code=2)
+        self.assertRegex(err, r"case\.toml:\d+:8: physics\.solid\.type: " + re.escape(refusal))
+
     def test_info_of_an_unknown_plugin(self):
         _, err = self.mesogen("plugin", "info", "quintik", code=2)
         self.assertIn('no plugin is called "quintik"', err)

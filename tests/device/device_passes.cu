@@ -85,6 +85,7 @@ struct Result {
 template <class Real>
 Result compute(int across, bool device) {
   Scene scene;
+  scene.dimension = 2;
   scene.box = {1.0, 1.0, 0.0};
   scene.spacing = 1.0 / across;
   scene.precision = sizeof(Real) == 4 ? Precision::single_precision : Precision::double_precision;
@@ -93,6 +94,7 @@ Result compute(int across, bool device) {
   scene.support = 3.0 * kernel.smoothing_length;
   const int count = across * across;
   Particles particles;
+  particles.dimension = 2;
   std::mt19937_64 generator(7);
   std::uniform_real_distribution<double> jitter(-0.2 * scene.spacing, 0.2 * scene.spacing);
   std::vector<std::int64_t> id;

@@ -60,7 +60,7 @@ GhostList ghosts_of(const Boundary& boundary, const Scene& scene, const Points& 
 }
 
 void expect_keeps_inside(const std::string& name) {
-  const auto boundary = built_plugins().make_boundary(name);
+  const auto boundary = built_plugins().make_boundary(name, 2);
   const Scene scene = scene_of(2, {10.0, 0.3, 0.0});
   for (unsigned axis = 0; axis < 2; ++axis) {
     const double length = scene.box[axis];

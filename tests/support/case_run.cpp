@@ -50,7 +50,7 @@ std::vector<double> CaseRun::path(int axis) {
 }
 
 Sample CaseRun::sample(const std::string& name) {
-  const auto observer = built_plugins().make_observer(name);
+  const auto observer = built_plugins().make_observer(name, 2);
   ParameterList list;
   observer->parameters(list);
   ObserverPlan plan;

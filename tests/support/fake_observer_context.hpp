@@ -27,6 +27,7 @@ class FakeObserverContext final : public ObserverContext {
 
   FakeObserverContext(int nx, int ny, double length_x, double length_y) {
     const auto count = static_cast<std::size_t>(nx) * static_cast<std::size_t>(ny);
+    scene_.dimension = 2;
     scene_.box = {length_x, length_y, 0.0};
     scene_.spacing = length_x / nx;
     scene_.smoothing_length = 4.0 / 3.0 * scene_.spacing;
@@ -132,7 +133,7 @@ class FakeObserverContext final : public ObserverContext {
 /// An observer of the built plugin library, as a run uses it.
 class ObserverUnderTest {
  public:
-  explicit ObserverUnderTest(const std::string& name) : observer_(built_plugins().make_observer(name)) {
+  explicit ObserverUnderTest(const std::string& name) : observer_(built_plugins().make_observer(name, 2)) {
     observer_->parameters(parameters_);
   }
 

@@ -15,7 +15,7 @@ namespace mesogen::test {
 /// Fields made up by a test, for passes that work particle by particle, in double precision.
 class FakePassContext final : public PassContext {
  public:
-  explicit FakePassContext(Index count) : count_(count) {}
+  explicit FakePassContext(Index count) : count_(count) { scene_.dimension = 2; }
 
   /// Gives a field: component c at all particles is values[c].
   void set(const std::string& field, const std::vector<double>& values) {
@@ -64,6 +64,7 @@ class PhysicsUnderTest {
  public:
   PhysicsUnderTest(const std::string& name, const std::map<std::string, double>& numbers, Scene scene = {})
       : plugin_(built_plugins().make_physics(name, Precision::double_precision, 2)), scene_(std::move(scene)) {
+    scene_.dimension = 2;
     plugin_->parameters(parameters_);
     for (const auto& [key, value] : numbers) set(key, value);
     plugin_->publish(scene_);

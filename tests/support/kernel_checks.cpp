@@ -69,7 +69,7 @@ void expect_unrolled_form(const std::string& kernel, double tolerance) {
 }  // namespace
 
 sph::KernelShape shape_of(const std::string& kernel) {
-  sph::KernelShape shape = built_plugins().make_kernel(kernel)->shape();
+  sph::KernelShape shape = built_plugins().make_kernel(kernel, 2)->shape();
   EXPECT_EQ(shape.problem(), "");
   return shape;
 }

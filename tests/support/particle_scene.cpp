@@ -15,12 +15,13 @@ const std::set<std::string> derived_from_f = {"volume", "correction", "f_gradien
 
 sph::SmoothingKernel smoothing(const ParticleScene::Options& options) {
   const double h = options.smoothing_length * options.spacing;
-  const auto shape = built_plugins().make_kernel(options.kernel)->shape();
+  const auto shape = built_plugins().make_kernel(options.kernel, 2)->shape();
   return {shape, h, shape.normalisation(2) / (h * h)};
 }
 
 Scene scene_of(const ParticleScene::Options& options, std::size_t count) {
   Scene scene;
+  scene.dimension = 2;
   scene.precision = options.precision;
   scene.box = options.box;
   scene.spacing = options.spacing;
@@ -32,6 +33,7 @@ Scene scene_of(const ParticleScene::Options& options, std::size_t count) {
 
 Particles particles_at(const std::array<std::vector<double>, 2>& points) {
   Particles particles;
+  particles.dimension = 2;
   particles.id.resize_for_overwrite(points[0].size());
   const auto id = particles.id.host(exec::Access::write);
   std::iota(id.begin(), id.end(), 0);
@@ -45,7 +47,7 @@ Particles particles_at(const std::array<std::vector<double>, 2>& points) {
 }  // namespace
 
 ParticleScene::ParticleScene(const Options& options, const std::array<std::vector<double>, 2>& points)
-    : ParticleScene(options, points, built_plugins().make_boundary(options.boundary)) {}
+    : ParticleScene(options, points, built_plugins().make_boundary(options.boundary, 2)) {}
 
 ParticleScene::ParticleScene(const Options& options, const std::array<std::vector<double>, 2>& points,
                              std::unique_ptr<Boundary> boundary)

@@ -12,6 +12,9 @@ using namespace mesogen;
 
 class TemplateNamePlugin final : public Boundary {
  public:
+  // Without this line: in any dimension.
+  static constexpr DimensionSet dimensions{2};
+
   // Continuation::ghosts is periodic too; Continuation::none lets the box end.
   [[nodiscard]] Continuation continuation(int axis) const override {
     return axis == 1 ? Continuation::none : Continuation::wrapped;

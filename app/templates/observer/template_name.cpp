@@ -17,6 +17,9 @@ using namespace mesogen;
 
 class TemplateNamePlugin final : public Observer {
  public:
+  // Without this line: in any dimension.
+  static constexpr DimensionSet dimensions{2};
+
   // What it reads and what it records; keys of its section in a case would be named in parameters(), as in a physics
   // plugin.
   void plan(const Scene&, ObserverPlan& plan) override {

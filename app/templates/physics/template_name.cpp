@@ -17,6 +17,7 @@ struct AddForce {
   MESOGEN_HOST_DEVICE void operator()(Index i) const { acceleration(0, i) += force / density(i); }
 };
 
+// In any dimension; a term of two dimensions alone is a `template <class Real, int Dim> requires(Dim == 2) class`.
 template <class Real, int Dim>
 class TemplateNamePlugin final : public Physics {
  public:

@@ -13,7 +13,7 @@ namespace {
 using namespace mesogen;
 using namespace mesogen::test;
 
-std::unique_ptr<Boundary> ghosts() { return built_plugins().make_boundary("periodic_ghosts"); }
+std::unique_ptr<Boundary> ghosts() { return built_plugins().make_boundary("periodic_ghosts", 2); }
 
 TEST(PeriodicGhosts, KeepsParticlesInside) { expect_keeps_inside("periodic_ghosts"); }
 

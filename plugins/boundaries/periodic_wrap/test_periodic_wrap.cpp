@@ -12,7 +12,7 @@ using namespace mesogen::test;
 TEST(PeriodicWrap, KeepsParticlesInside) { expect_keeps_inside("periodic_wrap"); }
 
 TEST(PeriodicWrap, WrapsTheGridAndMakesNoGhosts) {
-  const auto boundary = built_plugins().make_boundary("periodic_wrap");
+  const auto boundary = built_plugins().make_boundary("periodic_wrap", 2);
   const Scene scene = scene_of(2, {1.0, 1.0, 0.0});
   EXPECT_EQ(boundary->continuation(0), Continuation::wrapped);
   EXPECT_EQ(boundary->continuation(1), Continuation::wrapped);
@@ -31,7 +31,7 @@ TEST(PeriodicWrap, FindsTheNeighboursThatGhostsGive) {
 }
 
 TEST(PeriodicWrap, LeavesThirdAxisAloneInTwoDimensions) {
-  const auto boundary = built_plugins().make_boundary("periodic_wrap");
+  const auto boundary = built_plugins().make_boundary("periodic_wrap", 2);
   std::array<double, 3> position{1.5, -0.5, 7.0};
   std::array<std::int32_t, 3> images{};
   boundary->keep_inside(scene_of(2, {1.0, 1.0, 0.0}), position.data(), images.data());

@@ -15,7 +15,7 @@ constexpr double reach = 0.41;
 
 /// A boundary with its parameters, and a box of 1 m x 2 m with particles 0.1 m apart.
 struct WallsUnderTest {
-  std::unique_ptr<Boundary> boundary = built_plugins().make_boundary("walls");
+  std::unique_ptr<Boundary> boundary = built_plugins().make_boundary("walls", 2);
   ParameterList parameters;
   Scene scene = scene_of(2, {1.0, 2.0, 0.0});
 
@@ -138,6 +138,20 @@ TEST(Walls, RefuseWhatHasNoMeaning) {
   EXPECT_EQ(refusal("anchoring = \"planar\"", false),
             "`anchoring` needs a nematic: add a [physics.*] section with type = \"beris_edwards\", or leave it out");
   EXPECT_EQ(refusal("anchoring = \"planar\", order = 0.5"), "accepted");
+}
+
+TEST(Walls, AnchorTheDirectorOfTwoDimensionsAlone) {
+  WallsUnderTest walls;
+  walls.set("anchoring", std::string("planar"));
+  walls.scene = scene_of(3, {1.0, 1.0, 1.0});
+  walls.scene.constants["elastic_constant"] = 0.1;
+  try {
+    walls.boundary->prepare(walls.scene);
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_STREQ(error.what(),
+                 "plugin \"walls\", prepare(): `anchoring` knows the director of two dimensions alone: leave it out");
+  }
 }
 
 TEST(Walls, TellHowFastTheyMove) {

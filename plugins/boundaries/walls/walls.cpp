@@ -53,6 +53,8 @@ class Walls final : public Boundary {
     if (anchoring_ != "angle" && (angle_low_ != 0.0 || angle_high_ != 0.0))
       refuse("`angle_low` and `angle_high` have a meaning only with anchoring = \"angle\"");
     if (anchoring_ == "none" && order_ != 1.0) refuse("`order` has a meaning only at walls that anchor the director");
+    if (anchoring_ != "none" && scene.dimension != 2)
+      refuse("`anchoring` knows the director of two dimensions alone: leave it out");
     if (anchoring_ != "none" && !scene.constants.contains("elastic_constant"))
       refuse("`anchoring` needs a nematic: add a [physics.*] section with type = \"beris_edwards\", or leave it out");
   }

@@ -23,6 +23,8 @@ constexpr std::int64_t stream = 3;
 
 class Director final : public Initial {
  public:
+  static constexpr DimensionSet dimensions{2};
+
   void parameters(ParameterList& list) override {
     list.text("type", type_)
         .doc("how the director lies at the start")

@@ -15,6 +15,7 @@ constexpr double pi = std::numbers::pi;
 
 Scene box(double width, double height) {
   Scene scene;
+  scene.dimension = 2;
   scene.box = {width, height, 0.0};
   return scene;
 }

@@ -14,6 +14,8 @@ using namespace mesogen;
 
 class Velocity final : public Initial {
  public:
+  static constexpr DimensionSet dimensions{2};
+
   void parameters(ParameterList& list) override {
     list.text("type", type_).doc("how the fluid moves at the start").choices({"rest", "uniform", "modes"}).required();
     list.numbers("value", value_)

@@ -9,8 +9,10 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <tuple>
 
 #include "autocorrelation.hpp"
+#include "mesogen/exec/dispatch.hpp"
 #include "mesogen/mesh/observed_modes.hpp"
 #include "mesogen/plugin/by_id.hpp"
 #include "mesogen/plugin/observer.hpp"
@@ -127,11 +129,7 @@ class Correlation final : public Observer {
   }
 
   void sample(const ObserverContext& context, Sample& sample) override {
-    if (context.scene().dimension == 2) {
-      look(context, flat_, sample);
-    } else {
-      look(context, solid_, sample);
-    }
+    dispatch<AllDimensions>(context.scene().dimension, [&]<int Dim>() { look<Dim>(context, sample); });
   }
 
  private:
@@ -147,7 +145,8 @@ class Correlation final : public Observer {
   }
 
   template <int Dim>
-  void look(const ObserverContext& context, std::unique_ptr<Flow<Dim>>& flow, Sample& sample) {
+  void look(const ObserverContext& context, Sample& sample) {
+    auto& flow = std::get<std::unique_ptr<Flow<Dim>>>(flow_);
     if (!flow) flow = std::make_unique<Flow<Dim>>(context.scene(), mesh_spacing_);
     const Powers powers = flow->powers(context);
     const Autocorrelation<Dim> of_velocity(flow->grid(), powers.velocity);
@@ -178,8 +177,7 @@ class Correlation final : public Observer {
   double level_ = 0.2;
   double step_ = 0.0;  // of separations, m
   std::size_t rows_ = 0;
-  std::unique_ptr<Flow<2>> flat_;  // the one of the scene's dimension
-  std::unique_ptr<Flow<3>> solid_;
+  std::tuple<std::unique_ptr<Flow<2>>, std::unique_ptr<Flow<3>>> flow_;  // that of the scene's dimension
 };
 
 }  // namespace

@@ -121,6 +121,8 @@ std::vector<nematics::Defect> isolated(const std::vector<nematics::Defect>& defe
 
 class DefectFlow final : public Observer {
  public:
+  static constexpr DimensionSet dimensions{2};
+
   void parameters(ParameterList& list) override {
     list.number_or("radius", radius_, "auto")
         .unit("m")
@@ -139,7 +141,6 @@ class DefectFlow final : public Observer {
 
   void plan(const Scene& scene, ObserverPlan& plan) override {
     const auto fail = [](const std::string& text) { throw Error(ExitCode::bad_case, "defect_flow: " + text); };
-    nematics::DefectSearch::needs_plane(scene, "defect_flow");
     if (points_ % 2 == 0)
       fail("`points` must be odd, so that the defect is at one of them, but is " + std::to_string(points_));
     const double shortest = std::min(scene.box[0], scene.box[1]);

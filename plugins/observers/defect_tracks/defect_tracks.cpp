@@ -67,6 +67,8 @@ class Mean {
 
 class DefectTracks final : public Observer {
  public:
+  static constexpr DimensionSet dimensions{2};
+
   void parameters(ParameterList& list) override {
     list.number_or("max_displacement", max_displacement_, "auto")
         .unit("m")
@@ -78,8 +80,7 @@ class DefectTracks final : public Observer {
     search_.parameters(list);
   }
 
-  void plan(const Scene& scene, ObserverPlan& plan) override {
-    nematics::DefectSearch::needs_plane(scene, "defect_tracks");
+  void plan(const Scene& /*scene*/, ObserverPlan& plan) override {
     plan.reads("order_tensor");
     auto& table = plan.table("tracks", 8);
     table.unit("1, m, m, 1, rad, m/s, m/s, s")

@@ -262,18 +262,5 @@ TEST(DefectTracks, ClosePairsAreLeftOut) {
   EXPECT_TRUE(rows_of(watched.sample(1.0, pair_with(std::pow(0.6 * spacing, 2)))).empty());
 }
 
-TEST(DefectTracks, RefusesThreeDimensions) {
-  Scene scene;
-  scene.dimension = 3;
-  ObserverUnderTest observer("defect_tracks");
-  try {
-    observer.plan(scene);
-    FAIL();
-  } catch (const Error& error) {
-    EXPECT_EQ(error.code(), ExitCode::bad_case);
-    EXPECT_STREQ(error.what(), "defect_tracks: finds defects in two dimensions only");
-  }
-}
-
 }  // namespace
 }  // namespace mesogen::test

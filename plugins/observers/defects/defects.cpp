@@ -9,10 +9,11 @@ namespace {
 
 class Defects final : public Observer {
  public:
+  static constexpr DimensionSet dimensions{2};
+
   void parameters(ParameterList& list) override { search_.parameters(list); }
 
-  void plan(const Scene& scene, ObserverPlan& plan) override {
-    nematics::DefectSearch::needs_plane(scene, "defects");
+  void plan(const Scene& /*scene*/, ObserverPlan& plan) override {
     plan.reads("order_tensor");
     plan.scalar("count_plus").doc("number of defects of charge +1/2");
     plan.scalar("count_minus").doc("number of defects of charge -1/2");

@@ -237,17 +237,5 @@ TEST(Defects, OrderOfStorageDoesNotMatter) {
   EXPECT_EQ(observer_for(context).sample(context), before);
 }
 
-TEST(Defects, RefusesThreeDimensions) {
-  Scene scene;
-  scene.dimension = 3;
-  ObserverUnderTest observer("defects");
-  try {
-    observer.plan(scene);
-    FAIL();
-  } catch (const Error& error) {
-    EXPECT_STREQ(error.what(), "defects: finds defects in two dimensions only");
-  }
-}
-
 }  // namespace
 }  // namespace mesogen::test

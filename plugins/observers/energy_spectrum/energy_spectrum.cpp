@@ -15,8 +15,10 @@
 #include <cmath>
 #include <memory>
 #include <numbers>
+#include <tuple>
 
 #include "mesogen/diagnostics/error.hpp"
+#include "mesogen/exec/dispatch.hpp"
 #include "mesogen/mesh/observed_modes.hpp"
 #include "mesogen/plugin/by_id.hpp"
 #include "mesogen/plugin/observer.hpp"
@@ -182,11 +184,7 @@ class EnergySpectrum final : public Observer {
   }
 
   void sample(const ObserverContext& context, Sample& sample) override {
-    if (context.scene().dimension == 2) {
-      record(context, look<2>(context, flat_), sample);
-    } else {
-      record(context, look<3>(context, solid_), sample);
-    }
+    dispatch<AllDimensions>(context.scene().dimension, [&]<int Dim>() { record(context, look<Dim>(context), sample); });
   }
 
  private:
@@ -220,15 +218,15 @@ class EnergySpectrum final : public Observer {
   }
 
   template <int Dim>
-  typename Spectrum<Dim>::Seen look(const ObserverContext& context, std::unique_ptr<Spectrum<Dim>>& spectrum) {
+  typename Spectrum<Dim>::Seen look(const ObserverContext& context) {
+    auto& spectrum = std::get<std::unique_ptr<Spectrum<Dim>>>(spectrum_);
     if (!spectrum) spectrum = std::make_unique<Spectrum<Dim>>(context.scene(), mesh_spacing_);
     return spectrum->look(context);
   }
 
   double mesh_spacing_ = 1.5;
   Parameter::Rows ranges_;
-  std::unique_ptr<Spectrum<2>> flat_;  // the one of the scene's dimension
-  std::unique_ptr<Spectrum<3>> solid_;
+  std::tuple<std::unique_ptr<Spectrum<2>>, std::unique_ptr<Spectrum<3>>> spectrum_;  // that of the scene's dimension
 };
 
 }  // namespace

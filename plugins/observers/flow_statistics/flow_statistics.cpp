@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "mesogen/exec/compensated_sum.hpp"
+#include "mesogen/exec/dispatch.hpp"
 #include "mesogen/neighbours/point_cells.hpp"
 #include "mesogen/plugin/by_id.hpp"
 #include "mesogen/plugin/observer.hpp"
@@ -166,8 +167,8 @@ class FlowStatistics final : public Observer {
     const auto [low, high] = std::minmax_element(volume.begin(), volume.end());
     sample.set("volume_min", *low / mean_volume);
     sample.set("volume_max", *high / mean_volume);
-    const double distance = scene.dimension == 2 ? smallest_distance<2>(scene, particles.positions<2>())
-                                                 : smallest_distance<3>(scene, particles.positions<3>());
+    const double distance = dispatch<AllDimensions>(
+        scene.dimension, [&]<int Dim>() { return smallest_distance<Dim>(scene, particles.positions<Dim>()); });
     sample.set("min_spacing", distance / scene.spacing);
   }
 };

@@ -28,6 +28,7 @@
 #include <numbers>
 
 #include "mesogen/exec/compensated_sum.hpp"
+#include "mesogen/exec/dispatch.hpp"
 #include "mesogen/exec/random.hpp"
 #include "mesogen/plugin/by_id.hpp"
 #include "mesogen/plugin/observer.hpp"
@@ -143,13 +144,10 @@ class Lyapunov final : public Observer {
     id_ = chosen(count_, static_cast<std::int64_t>(context.id().size()), seed_);
     direction_.clear();
     for (const std::int64_t id : id_) {
-      if (context.scene().dimension == 2) {
-        const auto direction = random_direction<2>(seed_, id);
+      dispatch<AllDimensions>(context.scene().dimension, [&]<int Dim>() {
+        const auto direction = random_direction<Dim>(seed_, id);
         direction_.insert(direction_.end(), direction.begin(), direction.end());
-      } else {
-        const auto direction = random_direction<3>(seed_, id);
-        direction_.insert(direction_.end(), direction.begin(), direction.end());
-      }
+      });
     }
     gradient_ = gradient_now(context);
     time_ = context.time();
@@ -207,7 +205,7 @@ class Lyapunov final : public Observer {
         matrix[c] = 0.5 * passed * (gradient_[i * components + c] + now[i * components + c]);
       double* const direction = direction_.data() + i * static_cast<std::size_t>(dimension);
       const double growth =
-          dimension == 2 ? stretch<2>(matrix.data(), direction) : stretch<3>(matrix.data(), direction);
+          dispatch<AllDimensions>(dimension, [&]<int Dim>() { return stretch<Dim>(matrix.data(), direction); });
       if (!counts) continue;
       window_[i] = growth / passed;
       growth_[i] += growth;

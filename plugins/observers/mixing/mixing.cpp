@@ -25,6 +25,7 @@
 #include "contour.hpp"
 #include "mesogen/diagnostics/error.hpp"
 #include "mesogen/exec/compensated_sum.hpp"
+#include "mesogen/exec/dispatch.hpp"
 #include "mesogen/plugin/by_id.hpp"
 #include "mesogen/plugin/observer.hpp"
 #include "mesogen/plugin/plugin.hpp"
@@ -108,8 +109,8 @@ class Mixing final : public Observer {
 
   /// Number of the cell that holds each particle.
   [[nodiscard]] std::vector<std::size_t> cells_of(const Scene& scene, const ById& particles) const {
-    if (scene.dimension == 2) return cells_of<2>(scene, particles.positions<2>());
-    return cells_of<3>(scene, particles.positions<3>());
+    return dispatch<AllDimensions>(scene.dimension,
+                                   [&]<int Dim>() { return cells_of<Dim>(scene, particles.positions<Dim>()); });
   }
 
   template <int Dim>

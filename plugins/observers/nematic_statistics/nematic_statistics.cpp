@@ -19,7 +19,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "mesogen/diagnostics/error.hpp"
 #include "mesogen/exec/compensated_sum.hpp"
 #include "mesogen/plugin/by_id.hpp"
 #include "mesogen/plugin/observer.hpp"
@@ -30,9 +29,9 @@ namespace {
 
 class NematicStatistics final : public Observer {
  public:
-  void plan(const Scene& scene, ObserverPlan& plan) override {
-    if (scene.dimension != 2)
-      throw Error(ExitCode::bad_case, "nematic_statistics: knows the order tensor of two dimensions only");
+  static constexpr DimensionSet dimensions{2};
+
+  void plan(const Scene& /*scene*/, ObserverPlan& plan) override {
     for (const auto* field : {"order_tensor", "order_tensor_gradient", "volume"}) plan.reads(field);
     plan.reads_if_present("elastic_energy");
     plan.scalar("mean_order").doc("mean over particles of the order q = sqrt(Q11^2 + Q12^2)");

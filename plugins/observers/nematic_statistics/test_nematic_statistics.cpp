@@ -181,19 +181,5 @@ TEST(NematicStatistics, OrderOfStorageDoesNotMatter) {
   EXPECT_EQ(context.sample(), before);
 }
 
-TEST(NematicStatistics, RefusesThreeDimensions) {
-  Scene scene;
-  scene.dimension = 3;
-  ObserverPlan plan;
-  auto context = uniform(1.0, 0.0);
-  try {
-    context.observer().plan(scene, plan);
-    FAIL();
-  } catch (const Error& error) {
-    EXPECT_STREQ(error.what(), "nematic_statistics: knows the order tensor of two dimensions only");
-    EXPECT_EQ(error.code(), ExitCode::bad_case);
-  }
-}
-
 }  // namespace
 }  // namespace mesogen::testing

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "mesogen/diagnostics/error.hpp"
+#include "mesogen/exec/dispatch.hpp"
 #include "mesogen/exec/random.hpp"
 #include "mesogen/neighbours/point_cells.hpp"
 #include "mesogen/plugin/by_id.hpp"
@@ -92,10 +93,10 @@ class Pathlines final : public Observer {
       id_.assign(particles_.begin(), particles_.end());
     } else if (choice_ == "random") {
       id_ = randomly_chosen(count, seed_, particles.count());
-    } else if (context.scene().dimension == 2) {
-      id_ = evenly_chosen<2>(count, context.scene(), particles.positions<2>());
     } else {
-      id_ = evenly_chosen<3>(count, context.scene(), particles.positions<3>());
+      id_ = dispatch<AllDimensions>(context.scene().dimension, [&]<int Dim>() {
+        return evenly_chosen<Dim>(count, context.scene(), particles.positions<Dim>());
+      });
     }
     path_ = current_path(context);
     distance_.assign(id_.size(), 0.0);

@@ -61,9 +61,7 @@ struct ActivePairs {
 };
 
 template <class Real, int Dim>
-class ActiveStress final : public Physics {
-  static_assert(Dim == 2, "the components here are those of two dimensions");
-
+requires(Dim == 2) class ActiveStress final : public Physics {
  public:
   void parameters(ParameterList& list) override {
     list.number("activity", activity_)

@@ -24,6 +24,7 @@ TEST(ActiveStress, AddsTheDivergenceOfItsStress) {
 TEST(ActiveStress, PublishesItsStressScale) {
   PluginHarness active(PluginKind::physics, "active_stress", "activity = -0.3");
   Scene scene;
+  scene.dimension = 2;
   scene.scales.stress = 0.1;
   active.physics().publish(scene);
   EXPECT_EQ(scene.scales.stress, 0.3);

@@ -114,9 +114,7 @@ struct Rate {
 };
 
 template <class Real, int Dim>
-class BerisEdwards final : public Physics {
-  static_assert(Dim == 2, "the equations here are those of two dimensions");
-
+requires(Dim == 2) class BerisEdwards final : public Physics {
  public:
   void parameters(ParameterList& list) override {
     list.number("rotational_diffusivity", nematic_.gamma)

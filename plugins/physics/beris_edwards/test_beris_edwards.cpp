@@ -129,6 +129,7 @@ TEST(BerisEdwards, LimitsTheStep) {
   const PhysicsUnderTest nematic(
       "beris_edwards", {{"rotational_diffusivity", 0.4}, {"flow_alignment", 0.7}, {"elastic_constant", 0.02}});
   Scene scene;
+  scene.dimension = 2;
   scene.diffusion_step = 0.005;
   const auto limits = nematic.limits(scene);
   EXPECT_NEAR(limits.at("elasticity: stable diffusion by Gamma K"), 0.005 / 0.008, 1e-12);

@@ -67,9 +67,7 @@ struct Force {
 };
 
 template <class Real, int Dim>
-class ElasticStress final : public Physics {
-  static_assert(Dim == 2, "the algebra here is that of two dimensions");
-
+requires(Dim == 2) class ElasticStress final : public Physics {
  public:
   void parameters(ParameterList&) override {}
 

@@ -27,6 +27,7 @@ Matrix product(const Matrix& a, const Matrix& b) {
 
 Scene scene_with_a_nematic() {
   Scene scene;
+  scene.dimension = 2;
   scene.constants = {{"flow_alignment", lambda}, {"elastic_constant", elastic_constant}};
   return scene;
 }

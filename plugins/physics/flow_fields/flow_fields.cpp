@@ -23,9 +23,7 @@ struct Curl {
 };
 
 template <class Real, int Dim>
-class FlowFields final : public Physics {
-  static_assert(Dim == 2, "a flow has one stream function, and one component of vorticity, in two dimensions alone");
-
+requires(Dim == 2) class FlowFields final : public Physics {
  public:
   void parameters(ParameterList& list) override {
     list.number("mesh_spacing", mesh_spacing_)

@@ -28,7 +28,7 @@ using namespace mesogen;
 using incompressible::MeshFlow;
 
 template <class Real, int Dim>
-class Incompressible final : public Physics {
+requires(Dim == 2) class Incompressible final : public Physics {
   using Momentum = incompressible::Momentum<Dim>;
 
  public:

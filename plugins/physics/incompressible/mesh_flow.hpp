@@ -135,7 +135,6 @@ class MeshFlow {
   /// wave: nothing else would damp it. `diffusivity` x `step_size` are what the Laplacian will be multiplied by;
   /// 0 for readers, who see the same in a replay, where nobody knows how far the mesh has gone.
   void order_tensor_derivatives(const PassContext& context, double diffusivity, double step_size) {
-    static_assert(Dim == 2, "the order tensor's components here are those of two dimensions");
     if (step_size == 0.0) here_ = {};
     locate(context);
     constexpr int components = 2;

@@ -18,6 +18,7 @@ using namespace mesogen::test;
 
 Scene box_of(double length, double smoothing_length) {
   Scene scene;
+  scene.dimension = 2;
   scene.box = {length, length, 0.0};
   scene.smoothing_length = smoothing_length;
   scene.diffusion_step = 0.125 * smoothing_length * smoothing_length;

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "../simulation/active_scene.hpp"
+#include "../run/active_scene.hpp"
 #include "emulated_device.hpp"
 #include "run/observation.hpp"
 #include "test_plugins.hpp"

@@ -57,7 +57,7 @@ TEST(Arrangement, HexagonalIsPeriodicAndEven) {
   const auto source = box(10.0, 10.0, 0.25, "hexagonal");
   ASSERT_EQ(arrangement_problem(source), "");
   const auto counts = lattice_counts(source);
-  EXPECT_EQ(counts.rows % 2, 0);
+  EXPECT_EQ(counts.along[1] % 2, 0);
   const auto particles = arrange(source);
   EXPECT_NEAR(particles.count * 0.25 * 0.25 / 100.0, 1.0, 0.02);
   // all particles see the same: also those at the faces
@@ -88,6 +88,32 @@ TEST(Arrangement, JitterIsBoundedSeededAndInTheBox) {
   EXPECT_LE(largest, 0.02);
   EXPECT_GT(largest, 0.0199);
   EXPECT_NEAR(mean, 0.0, 0.001);
+}
+
+TEST(Arrangement, LatticeOfThreeDimensionsGoesLayerByLayer) {
+  auto source = box(1.0, 0.5, 0.1, "lattice");
+  source.domain.size.push_back(0.8);
+  ASSERT_EQ(source.dimension(), 3);
+  EXPECT_EQ(dimension_problem(source), "");
+  EXPECT_EQ(arrangement_problem(source), "");
+  const auto particles = arrange(source);
+  ASSERT_EQ(particles.count, 10 * 5 * 8);
+  const std::size_t id = 2 * 50 + 3 * 10 + 4;
+  EXPECT_NEAR(particles.position[0][id], 0.45, 1e-15);
+  EXPECT_NEAR(particles.position[1][id], 0.35, 1e-15);
+  EXPECT_NEAR(particles.position[2][id], 0.25, 1e-15);
+  source.domain.size[2] = 0.83;
+  EXPECT_EQ(arrangement_problem(source),
+            "does not fit the box: 0.83 m are 8.30 spacings along z; 0.10375 m would make it 8");
+}
+
+TEST(Arrangement, HexagonalIsOneOfTwoDimensions) {
+  auto source = box(10.0, 10.0, 0.25, "hexagonal");
+  EXPECT_EQ(dimension_problem(source), "");
+  source.domain.size.push_back(10.0);
+  EXPECT_EQ(dimension_problem(source),
+            "\"hexagonal\" is an arrangement of 2 dimensions, and domain.size has 3 numbers; take \"lattice\" or "
+            "\"jittered\"");
 }
 
 TEST(Arrangement, TellsWhereTheSpacingDoesNotFit) {

@@ -159,6 +159,7 @@ TEST(CellLoops, RunningSums) {
 
 TEST(CellLoops, OrderAndRangesAgree) {
   Scene scene;
+  scene.dimension = 2;
   scene.box = {3.0, 2.0, 0.0};
   const CellGrid grid(scene, Wrapped(), 0.4);
   std::mt19937_64 random(3);

@@ -11,9 +11,16 @@ using namespace mesogen;
 void* create(Precision, int) { return nullptr; }
 
 PluginDescriptor good() {
-  return {descriptor_magic,  abi_number,         sizeof(PluginDescriptor),
-          MESOGEN_BUILD_TAG, PluginKind::kernel, "good_1",
-          "1.0.0",           "A good one",       &create};
+  return {descriptor_magic,
+          abi_number,
+          sizeof(PluginDescriptor),
+          MESOGEN_BUILD_TAG,
+          PluginKind::kernel,
+          "good_1",
+          "1.0.0",
+          "A good one",
+          DimensionSet{2, 3},
+          &create};
 }
 
 TEST(Descriptor, GoodOneHasNoProblem) { EXPECT_EQ(plugin::descriptor_problem(good()), ""); }
@@ -47,6 +54,14 @@ TEST(Descriptor, TextsAndFactoryMustBeThere) {
   descriptor = good();
   descriptor.create = nullptr;
   EXPECT_EQ(plugin::descriptor_problem(descriptor), expected);
+}
+
+TEST(Descriptor, SomeDimensionMustBeThere) {
+  auto descriptor = good();
+  for (const DimensionSet& none : {DimensionSet{}, DimensionSet{1}}) {
+    descriptor.dimensions = none;
+    EXPECT_EQ(plugin::descriptor_problem(descriptor), "it has no form in any dimension: there are 2 and 3");
+  }
 }
 
 TEST(Descriptor, NothingBehindAWrongMagicIsRead) {

@@ -171,7 +171,7 @@ TEST(PluginRegistry, SuggestsTheNearestNameOfAnyKind) {
 
 TEST(PluginRegistry, SaysWhyAPluginIsMissingIfItWasRefused) {
   const auto registry = PluginRegistry::only({broken("wrong_abi")});
-  const auto text = error_of(ExitCode::plugin_refused, [&] { (void)registry.make_kernel("wrong_abi"); });
+  const auto text = error_of(ExitCode::plugin_refused, [&] { (void)registry.make_kernel("wrong_abi", 2); });
   EXPECT_TRUE(contains(text, "the kernel plugin \"wrong_abi\" was refused: ")) << text;
   EXPECT_TRUE(contains(text, "interface 99")) << text;
 }
@@ -186,8 +186,42 @@ TEST(PluginRegistry, SaysWhereItLookedIfThereIsNoPluginOfAKind) {
 
 TEST(PluginRegistry, RefusesAFormThatAPluginLacks) {
   const auto registry = PluginRegistry::only({broken("no_form")});
-  const auto text = error_of(ExitCode::bad_case, [&] { (void)registry.make_boundary("no_form"); });
+  const auto text = error_of(ExitCode::bad_case, [&] { (void)registry.make_boundary("no_form", 2); });
   EXPECT_EQ(text, "the boundary plugin \"no_form\" has no form for 2 dimensions in double precision");
+}
+
+TEST(PluginRegistry, RefusesADimensionThatAPluginLacks) {
+  const auto registry = PluginRegistry::only({broken("solid")});
+  const auto refusal = [](const std::string& kind) {
+    return "the " + kind + " plugin \"solid_" + kind +
+           "\" has no form for 2 dimensions: it has one for 3; a scene has as many dimensions as domain.size has "
+           "numbers";
+  };
+  const auto refused = [](const auto& action) { return error_of(ExitCode::bad_case, action); };
+  EXPECT_EQ(refused([&] { (void)registry.make_kernel("solid_kernel", 2); }), refusal("kernel"));
+  EXPECT_EQ(refused([&] { (void)registry.make_boundary("solid_boundary", 2); }), refusal("boundary"));
+  EXPECT_EQ(refused([&] { (void)registry.make_initial("solid_initial", 2); }), refusal("initial"));
+  EXPECT_EQ(refused([&] { (void)registry.make_observer("solid_observer", 2); }), refusal("observer"));
+  EXPECT_EQ(refused([&] { (void)registry.make_physics("solid_physics", Precision::single_precision, 2); }),
+            refusal("physics"));
+  EXPECT_EQ(refused([&] { (void)registry.smallest_dimension(PluginKind::physics, "solid_physics"); }),
+            refusal("physics"));
+}
+
+TEST(PluginRegistry, RefusesADimensionThatIsNotBuilt) {
+  const auto registry = PluginRegistry::only({broken("solid")});
+  EXPECT_EQ(error_of(ExitCode::bad_case, [&] { (void)registry.make_kernel("solid_kernel", 3); }),
+            "this Mesogen is built for 2 dimensions, not for 3");
+}
+
+TEST(PluginRegistry, KnowsTheDimensionsOfEveryPlugin) {
+  const auto& registry = test::built_plugins();
+  const auto of = [&](PluginKind kind, const char* name) { return registry.find(kind, name)->descriptor->dimensions; };
+  EXPECT_EQ(of(PluginKind::physics, "friction"), (DimensionSet{2, 3})) << "without a constraint";
+  EXPECT_EQ(of(PluginKind::physics, "beris_edwards"), DimensionSet{2}) << "requires(Dim == 2)";
+  EXPECT_EQ(of(PluginKind::kernel, "quintic"), (DimensionSet{2, 3})) << "without a member `dimensions`";
+  EXPECT_EQ(of(PluginKind::observer, "defects"), DimensionSet{2}) << "with one";
+  EXPECT_EQ(registry.smallest_dimension(PluginKind::observer, "defects"), 2);
 }
 
 TEST(PluginRegistry, LoadsTheBestInstructionSetThatIsAllowed) {

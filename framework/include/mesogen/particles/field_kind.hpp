@@ -15,7 +15,7 @@ enum class FieldRole {
 struct FieldKind {
   Rank rank = Rank::scalar;
   FieldRole role = FieldRole::derived;
-  int dimension = 2;
+  int dimension = 0;  ///< of space
 
   [[nodiscard]] constexpr int components() const { return component_count(rank, dimension); }
 };

@@ -16,10 +16,21 @@ constexpr int component_count(Rank rank, int dimension) {
   switch (rank) {
     case Rank::scalar: return 1;
     case Rank::vector: return dimension;
-    case Rank::order_tensor: return dimension == 2 ? 2 : 5;
+    case Rank::order_tensor: return dimension * (dimension + 1) / 2 - 1;
     case Rank::matrix: return dimension * dimension;
   }
   return 0;
+}
+
+/// Where an order tensor stores its component Q_ab; -1 of the last of its diagonal, which is minus the sum of the
+/// others.
+constexpr int order_tensor_place(int a, int b, int dimension) {
+  const int row = a < b ? a : b;
+  const int column = a < b ? b : a;
+  if (row == dimension - 1) return -1;
+  int place = 0;
+  for (int above = 0; above < row; ++above) place += dimension - above;
+  return place + column - row;
 }
 
 constexpr std::string_view to_string(Rank rank) {
@@ -34,5 +45,10 @@ constexpr std::string_view to_string(Rank rank) {
 
 /// Arithmetic of the pair passes and stored fields. Integrated quantities always accumulate in double.
 enum class Precision { single_precision, double_precision };
+
+/// As in a case: "single", "double".
+constexpr std::string_view to_string(Precision precision) {
+  return precision == Precision::single_precision ? "single" : "double";
+}
 
 }  // namespace mesogen

@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "mesogen/export.hpp"
+#include "mesogen/particles/dimensions.hpp"
 #include "mesogen/particles/rank.hpp"
 
 namespace mesogen {
@@ -17,7 +18,7 @@ class Initial;
 enum class PluginKind : std::int32_t { kernel = 1, boundary = 2, physics = 3, observer = 4, initial = 5 };
 
 /// Raised whenever a public interface changes.
-#define MESOGEN_ABI 7
+#define MESOGEN_ABI 8
 inline constexpr std::int32_t abi_number = MESOGEN_ABI;
 inline constexpr std::uint64_t descriptor_magic = 0x4e45474f53454d31ULL;  // "1MESOGEN" in memory
 
@@ -43,9 +44,10 @@ struct PluginDescriptor {
   const char* name;
   const char* version;
   const char* summary;
+  /// Those of AllDimensions for which the plugin has a form.
+  DimensionSet dimensions;
   /// A new object of the kind's class, as a pointer to that class (Kernel*, Boundary*, Physics*, Observer* or
-  /// Initial*);
-  /// nullptr if it has no form for this precision and dimension.
+  /// Initial*); nullptr if it has no form for this precision and dimension.
   void* (*create)(Precision precision, int dimension);
 };
 

@@ -40,7 +40,7 @@ using Constants = std::map<std::string, double, std::less<>>;
 
 /// What a plugin may know of the case beside its own parameters: fixed before the run starts.
 struct Scene {
-  int dimension = 2;
+  int dimension = 0;  ///< of space: how many numbers domain.size has
   Precision precision = Precision::single_precision;
   std::array<double, 3> box{};                     ///< edge lengths, m
   std::array<bool, 3> periodic{true, true, true};  ///< by axis: does the box go on at its other side? Not at walls

@@ -13,8 +13,6 @@ struct DefectSearch {
   double smoothing_length = 1.0;  ///< particle spacings
 
   void parameters(ParameterList& list);
-  /// Throws Error(bad_case) in three dimensions, in the name of this observer.
-  static void needs_plane(const Scene& scene, const char* observer);
   /// The defects of the field `order_tensor`, without close pairs of opposite charges.
   [[nodiscard]] std::vector<Defect> find(const ObserverContext& context) const;
 };

@@ -23,8 +23,9 @@
 
 namespace mesogen::testing {
 
-/// The scene that a plugin is tested in: a square box of particles.
+/// The scene that a plugin is tested in: a square or cubic box of particles.
 struct TestScene {
+  int dimension = 0;                       ///< 0: the fewest in which the tested plugin can be used
   double length = 1.0;                     ///< edge of the box, m
   int across = 20;                         ///< particles along it
   std::string arrangement = "jittered";    ///< lattice, hexagonal, or jittered: the same each time

@@ -1,0 +1,40 @@
+#pragma once
+
+#include "mesogen/exec/for_each.hpp"
+#include "sph/pair_loops.hpp"
+
+/// The sums over neighbours as the compiler of this file makes them: included once for the host, once for a device.
+namespace mesogen::exec {
+
+template <class Real, class Known>
+class PairLoopsMade;
+
+template <class Real>
+class PairLoopsMade<Real, Dimensions<>> : public PairLoops<Real> {
+ public:
+  explicit PairLoopsMade(const Space& space) : space_(space) {}
+
+ protected:
+  Space space_;
+};
+
+/// Those of one dimension, on top of those of the others.
+template <class Real, int Dim, int... Others>
+class PairLoopsMade<Real, Dimensions<Dim, Others...>> : public PairLoopsMade<Real, Dimensions<Others...>> {
+ public:
+  using PairLoopsMade<Real, Dimensions<Others...>>::PairLoopsMade;
+
+  void volumes(const Neighbours<Real, Dim>& neighbours, const sph::SmoothingKernel& kernel,
+               FieldView<Real> volume) const override {
+    sph::volumes<Real, Dim>(this->space_, neighbours, kernel, volume);
+  }
+  void derivatives(const Neighbours<Real, Dim>& neighbours, const sph::SmoothingKernel& kernel,
+                   const sph::Derivatives<Real, Dim>& wanted) const override {
+    sph::derivatives<Real, Dim>(this->space_, neighbours, kernel, wanted);
+  }
+};
+
+template <class Real>
+using PairLoopsImpl = PairLoopsMade<Real, BuiltDimensions>;
+
+}  // namespace mesogen::exec
