@@ -139,9 +139,9 @@ class Check(CommandTest):
         settings = "time.factor=0.5", "run.precision=double"
         arguments = [word for setting in settings for word in ("--set", setting)]
         out, _ = self.mesogen("check", case, "--quick", *arguments)
-        self.assertRegex(out, r"(?m)^advice\n(?:.*\n)*  the step is 0\.5 of what is stable\n"
+        self.assertRegex(out, r"(?m)^advice\n(?:.*\n)*  the step is 0\.5 of the stability limit\n"
                               r"      --set time\.factor=1\n"
-                              r"      up to 2 times fewer steps, and as good an answer\n"
+                              r"      up to 2 times fewer steps; the answer is as good\n"
                               r"      steps 24 -> 12\n")
         told = {one["name"]: one for one in self.check(*arguments)["advice"]}
         self.assertEqual(told["short_step"]["settings"], ["time.factor=1"])
@@ -166,7 +166,7 @@ class Check(CommandTest):
     def test_a_core_that_no_spacing_resolves_is_told(self):
         out, _ = self.mesogen("check", self.write_case(), "--quick", "--set", "physics.nematic.elastic_constant=1e-9")
         self.assertRegex(out, r"(?m)^  a defect's core, xi, is 0\.00032 spacings: .*\n"
-                              r"      cores of 2 spacings take 1e\+10 particles: a smaller box or larger elastic constant")
+                              r"      cores of 2 spacings need 1e\+10 particles; instead, choose a smaller box or")
 
     def test_misspelt_section_is_told_once(self):
         for right, wrong in (("domain", "domian"), ("director", "directr"), ("kernel", "kernal")):
