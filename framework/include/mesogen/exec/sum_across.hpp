@@ -11,9 +11,8 @@ namespace mesogen::exec {
 
 namespace detail {
 
-/// Which lanes of two packs are added. Each function takes a lane n of the result, and returns the first of the two
-/// lanes that are added there. The second of the two is a fixed number of lanes behind the first, in the same pack.
-/// Lanes of the second pack are counted from Width. Each choice needs one instruction per pack, at most two.
+/// Which lanes of two packs are added: for lane n of the result, the first of two lanes; the second is a fixed number
+/// of lanes behind it in the same pack. Lanes of the second pack count from Width. At most two instructions per pack.
 template <int Width, int InQuarter>  // InQuarter: lanes in 128 bits
 struct Pairing {
   /// Within 128 bits: alternately `Unit` lanes of the first pack and `Unit` lanes of the second.

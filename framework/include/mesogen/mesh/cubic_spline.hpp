@@ -4,14 +4,12 @@
 
 namespace mesogen::mesh {
 
-/// The cubic B-spline of particle-mesh methods (Hockney and Eastwood, Computer Simulation Using Particles, 1988). Along
-/// each axis, a particle shares its value among four points. The weights are smooth, add up to 1 and keep the first
-/// moment.
+/// The cubic B-spline of particle-mesh methods (Hockney and Eastwood, Computer Simulation Using Particles, 1988): four
+/// points per axis share a particle's value; the weights are smooth, add up to 1 and keep the first moment.
 struct CubicSpline {
   static constexpr int points = 4;
 
-  /// Weights of the four points; the first is the point below the particle's cell. `fraction`: position of the particle
-  /// in its cell, 0 to 1.
+  /// Weights of the four points, the first below the particle's cell; `fraction`: position in the cell, 0 to 1.
   static void weights(double fraction, double (&weight)[points]) {
     const double f = fraction;
     const double g = 1.0 - f;
@@ -21,8 +19,7 @@ struct CubicSpline {
     weight[3] = f * f * f / 6.0;
   }
 
-  /// The factor by which spreading to the mesh reduces the amplitude of a wave: sinc^4 of `half_phase`, half the wave
-  /// number times the mesh spacing. Interpolation from the mesh reduces it by the same factor.
+  /// Factor of a wave's amplitude when spread, and when interpolated: sinc^4(half wave number times mesh spacing).
   static double transform(double half_phase) {
     if (std::abs(half_phase) < 1e-8) return 1.0;
     const double sinc = std::sin(half_phase) / half_phase;

@@ -47,8 +47,7 @@ struct Grid {
   bool operator==(const Grid&) const = default;
 };
 
-/// Loops over fewer points or modes run on one thread: several threads would wait for each other longer than they
-/// compute.
+/// Loops over fewer points or modes run on one thread: with several, waiting takes longer than computing.
 inline constexpr int parallel_threshold = 4096;
 
 /// Returns the even number nearest to `wanted` that is at least 8 and has no prime factors other than 2, 3 and 5. A

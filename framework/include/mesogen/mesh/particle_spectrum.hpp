@@ -43,8 +43,7 @@ class ParticleSpectrum {
     return sum;
   }
 
-  /// Calls action(n, k) for all modes, in parallel. `action` must not throw, nor any other function called in parallel
-  /// here.
+  /// Calls action(n, k) for all modes, in parallel. No function that is called in parallel here may throw.
   template <class Action>
   void for_each_mode(const Action& action) const {
     const int rows = grid_.row_count();
@@ -62,9 +61,8 @@ class ParticleSpectrum {
     }
   }
 
-  /// Takes the positions of the particles, m; the functions below use them. `origin`: position of the first point of
-  /// the grid, m. Modes are those of a field as seen from the origin. Throws Error(run_failed) if a position is not
-  /// finite.
+  /// Takes the positions of the particles, m; the functions below use them. Throws Error(run_failed) if one is not
+  /// finite. `origin`: position of the first point of the grid, m; modes are those of a field as seen from there.
   void locate(const std::array<const double*, Dim>& position, Index count, const std::array<double, Dim>& origin = {}) {
     int lost = 0;
 #pragma omp parallel for schedule(static) reduction(| : lost) if (count >= parallel_threshold)
@@ -75,8 +73,7 @@ class ParticleSpectrum {
     weighed_ = false;
   }
 
-  /// Computes the modes of the number density of particles divided by its mean, minus 1: zero if particles lie evenly.
-  /// Throws as fit() does.
+  /// Modes of the number density over its mean, minus 1: zero if particles lie evenly. Throws as fit() does.
   void unevenness(Complex* modes) {
     weigh();
     values(1);
@@ -122,8 +119,7 @@ class ParticleSpectrum {
     }
   }
 
-  /// Calls take(i, numbers) for every particle, with the values that the fields of these modes have there. Overwrites
-  /// `modes`.
+  /// Calls take(i, numbers) for every particle, with the values of these modes there. Overwrites `modes`.
   template <int Count, class Take>
   void evaluate(const std::array<Complex*, Count>& modes, const Take& take) {
     values(Count);

@@ -22,9 +22,8 @@ struct BoxWave {
   [[nodiscard]] double argument(double x, double y) const { return kx * x + ky * y + phase; }
 };
 
-/// Makes waves from the rows of a parameter. A row holds the number of waves in the box along x and along y, the
-/// amplitude and the phase (rad). Throws BadParameter if a number of waves is not whole: the wave would jump at the
-/// faces of the box.
+/// Waves from the rows of a parameter: waves in the box along x and along y, amplitude, phase (rad). Throws
+/// BadParameter if a number of waves is not whole: the wave would jump at the faces of the box.
 inline std::vector<BoxWave> box_waves(const std::string& key, const Parameter::Rows& rows, const Scene& scene) {
   std::vector<BoxWave> waves;
   for (const auto& row : rows) {

@@ -7,9 +7,8 @@
 
 namespace mesogen {
 
-/// The value of a field at a ghost or at a wall particle: f' = A f + b, where f has all components of the field. For a
-/// ghost, f is the value at the particle of which it is a copy. For a wall particle, f is the fluid's value at its
-/// mirror point.
+/// The value of a field at a ghost or a wall particle: f' = A f + b for all components together. For a ghost, f is the
+/// value at the particle of which it is a copy; for a wall particle, the fluid's value at its mirror point.
 class AffineRule {
  public:
   /// Largest number of components of a field: a matrix in 3D.

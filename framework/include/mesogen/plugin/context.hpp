@@ -60,8 +60,7 @@ class MESOGEN_EXPORT PassContext {
   [[nodiscard]] virtual std::uint64_t positions_version() const = 0;
   /// Numbers 0, 1, ... that stay with the particles while their order in storage changes. Random numbers use them.
   [[nodiscard]] virtual const std::int64_t* id() const = 0;
-  /// time(): time of the present fields, s. step_size(): s; 0 when the rates are computed for the first time. step():
-  /// number of steps done.
+  /// Time of the present fields, s; step size, s (0 when the rates are first computed); number of steps done.
   [[nodiscard]] virtual double time() const = 0;
   [[nodiscard]] virtual double step_size() const = 0;
   [[nodiscard]] virtual std::int64_t step() const = 0;

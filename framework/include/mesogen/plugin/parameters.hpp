@@ -77,8 +77,7 @@ class MESOGEN_EXPORT ParameterList {
   Parameter& rows(std::string_view name, Parameter::Rows& target);
 
   [[nodiscard]] const std::deque<Parameter>& all() const { return parameters_; }
-  /// Declares a key that this list had in an earlier version. A case that gives it is refused, and `advice` says what
-  /// to write instead.
+  /// A key of an earlier version. A case that gives it is refused; `advice` says what to write instead.
   void moved(std::string_view name, std::string_view advice) { moved_.insert_or_assign(std::string(name), advice); }
   /// The advice for such a key; empty if there is none.
   [[nodiscard]] std::string moved_advice(const std::string& name) const {

@@ -22,11 +22,10 @@ class PassContext;
 /// How a flow moves particles, and the fields that are advanced on them.
 struct Transport {
   std::string velocity;  ///< name of the field of the fluid's velocity, m/s; empty: nothing flows
-  /// Name of the field of an additional velocity of particles, m/s; may be empty. It has an effect if a pass adds to
-  /// it. The shift moves a particle into other fluid: every predicted field f except the velocity (for example the
-  /// order tensor) therefore also changes by + shift . grad f (arbitrary Lagrangian-Eulerian). If particles kept what
-  /// they carry, the shift would stir the director and raise its free energy. The velocity is kept, because otherwise
-  /// momentum would drift.
+  /// Name of the field of an additional velocity of particles, m/s, if any pass adds to it; may be empty. The shift
+  /// moves a particle into other fluid: every predicted field f except the velocity (for example the order tensor) also
+  /// changes by + shift . grad f (arbitrary Lagrangian-Eulerian). If particles kept what they carry, the director would
+  /// be stirred and its free energy would rise. The velocity is kept, because otherwise momentum would drift.
   std::string shift;
   /// If true, particles do not move, and every advanced field f changes by - velocity . grad f (Eulerian).
   bool fixed = false;
@@ -99,8 +98,7 @@ struct MESOGEN_EXPORT FieldDeclaration {
     needs_start = true;
     return *this;
   }
-  /// The framework advances this field with the field `rate_field` (Advance::midpoint or predicted). It is kept in
-  /// double precision and stored in checkpoints.
+  /// Advanced by the framework with the field `rate_field`; kept in double precision, stored in checkpoints.
   FieldDeclaration& advanced_by(std::string_view rate_field);
   FieldDeclaration& predicted_by(std::string_view rate_field);
   /// Passes of the plugin write the field from its previous value: see Advance::by_passes.
@@ -112,10 +110,9 @@ struct MESOGEN_EXPORT FieldDeclaration {
     bounds = FieldBounds{lowest, highest, std::string(remedy)};
     return *this;
   }
-  /// Calls `function` after each step, so that the plugin can adapt its numerics to this field during the run. Only for
-  /// fields that are advanced in time. Whatever the function changes must be kept (PassList::keep). If it changed
-  /// something, the limits on the step are computed again. It is not called if the case gives the step, because the
-  /// step could not follow.
+  /// Calls `function` after each step, so that the plugin can adapt its numerics to this field. Only for fields that
+  /// are advanced in time. What the function changes must be kept (PassList::keep); the limits on the step are then
+  /// computed again. Not called if the case gives the step, because the step could not follow.
   FieldDeclaration& watched_by(Watch function) {
     watch = std::move(function);
     return *this;
@@ -145,8 +142,7 @@ struct MESOGEN_EXPORT Pass {
   /// idle = true: with these parameters (an activity of zero, for example) the pass adds only zeros. It is then left
   /// out, and with it everything that only it needs. For passes that accumulate and write nothing.
   Pass& idle_if(bool idle);
-  /// The pass changes what the plugin keeps (PassList::keep): it runs at every step, even if nobody reads what it
-  /// writes.
+  /// It changes what the plugin keeps (PassList::keep): it runs at every step, even if nobody reads its fields.
   Pass& advances_what_is_kept();
   /// The pass keeps particles even enough for sums over neighbours. It runs only if another pass of the integration
   /// needs such sums (observers do not count), and may use the neighbours that are found for that pass. For passes that
@@ -181,8 +177,7 @@ class MESOGEN_EXPORT PassList {
   void step_limit(StepCause cause, std::string_view rule, std::function<double(const Scene&)> seconds) {
     limits_.push_back({cause, std::string(rule), std::move(seconds)});
   }
-  /// Publishes a number for observers, limits and advice that is known only in declare(). Earlier numbers belong in
-  /// Physics::publish.
+  /// A number for observers, limits and advice that is known only in declare(); see also Physics::publish.
   void constant(std::string_view name, double value) { constants_.insert_or_assign(std::string(name), value); }
   /// Adds the approximate memory beyond the declared fields, in bytes, for the forecast of a run. A plugin must not
   /// allocate this memory before its passes run.

@@ -90,9 +90,8 @@ class KernelFunction {
   Real slope_[Knots][Terms];
 };
 
-/// A normalised spline: `Knots` pieces of one power, with alternating signs, the first positive. Each coefficient is
-/// part of its knot, c (k - q)^p = (c^(1/p) k - c^(1/p) q)^p: this needs a quarter fewer instructions. Trivially
-/// copyable.
+/// A normalised spline: `Knots` pieces of one power, with alternating signs, the first positive. A coefficient is part
+/// of its knot, c (k - q)^p = (c^(1/p) k - c^(1/p) q)^p, which saves a quarter of the instructions. Trivially copyable.
 template <class Real, int Knots, int Power>
 class SplineFunction {
  public:

@@ -33,9 +33,8 @@ struct MESOGEN_EXPORT KernelShape {
   [[nodiscard]] double derivative(double q) const;
   /// 1 / integral of f over all space of this dimension (1, 2 or 3), from the exact integrals of the powers.
   [[nodiscard]] double normalisation(int dimension) const;
-  /// Says what is wrong with this shape; empty if it can be used. A usable shape has falling positive knots, equal
-  /// numbers of coefficients, a power that leaves the second derivative continuous, a positive integral, and does not
-  /// rise with q.
+  /// What is wrong with this shape, in words; empty if nothing. Needed: falling positive knots, equal numbers of
+  /// coefficients, a power that leaves the second derivative continuous, a positive integral, no rise with q.
   [[nodiscard]] std::string problem() const;
 };
 

@@ -20,8 +20,7 @@
 /// The pair (i, i) is visited too, with separation exactly zero.
 namespace mesogen::sph {
 
-/// Sums for one particle. The sums stay in registers over all packs of its neighbours, and their lanes are added up
-/// once.
+/// Sums for one particle. They stay in registers over all its neighbours, and their lanes are added up once.
 template <class Real, int Dim, class Kernel, class Pass>
 struct PairLoop {
   using Lane = typename Pairs<Real, Dim, Kernel>::Lane;
@@ -40,8 +39,7 @@ struct PairLoop {
   }
 };
 
-/// Two passes over the same pairs in one loop, which computes each distance once. Neither may read what the other
-/// writes.
+/// Two passes over the same pairs in one loop, with one distance per pair. Neither reads what the other writes.
 template <class First, class Second>
 struct FusedPass {
   static constexpr int sum_count = First::sum_count + Second::sum_count;

@@ -58,7 +58,8 @@ struct Pair {
   }
 };
 
-/// Visits all pairs of a particle: a pack at a time on the host, one by one on a device. Trivially copyable.
+/// Visits all pairs of a particle: on the host one pack of neighbours at a time, on a device one neighbour at a time.
+/// Trivially copyable.
 template <class Real, int Dim, class Kernel>
 class Pairs {
  public:

@@ -60,8 +60,7 @@ class DirectorGrid {
   std::vector<OrderTensor> tensor_;
 };
 
-/// Returns the defects without pairs of opposite charges that are closer than `distance`, m. Closest pairs are removed
-/// first. The total charge stays the same.
+/// The defects without pairs of opposite charges closer than `distance`, m, closest pairs first; same total charge.
 std::vector<Defect> without_close_pairs(const std::vector<Defect>& defects, const Scene& scene, double distance);
 
 /// Returns the smallest distance between defects of opposite charges, m, across periodic faces too. NaN if there is no

@@ -72,8 +72,7 @@ class MESOGEN_EXPORT PluginHarness {
   /// know the field define its number of components; if no plugin knows it, the values define it.
   PluginHarness& set(std::string_view field, std::initializer_list<double> components);
   PluginHarness& set(std::string_view field, std::initializer_list<Function> components);
-  /// Adds a field that other plugins know to the scene, with seeded random numbers: for what the plugin reads if
-  /// present.
+  /// Adds a field that other plugins know, with seeded random numbers: for what the plugin reads if present.
   PluginHarness& give(std::string_view field);
   /// Gives one component, one value per particle.
   PluginHarness& set_values(std::string_view field, int component, std::vector<double> values);
@@ -86,8 +85,7 @@ class MESOGEN_EXPORT PluginHarness {
   void run(std::string_view pass);
   /// Runs all passes of a phase, as in a step: each field that passes add to starts from 0.
   void run(Phase phase);
-  /// Computes the rates of the initial state, and starts the observer. `step`, `run_until` and `sample` call it
-  /// themselves.
+  /// Computes the initial rates, and starts the observer. `step`, `run_until` and `sample` call it themselves.
   void start();
   void step(int steps = 1);
   void run_until(double seconds);
@@ -95,8 +93,7 @@ class MESOGEN_EXPORT PluginHarness {
   Quantities sample();
   /// Continues from the state of another harness of the same scene, by its checkpoint, as `mesogen resume` does.
   void resume_from(PluginHarness& other);
-  /// Restores only the observer: calls start(), then gives it what its save() returned in another scene, and the time
-  /// of that, s.
+  /// Restores only the observer: start(), then what its save() returned in another scene, and that one's time, s.
   void restore(const std::map<std::string, std::vector<double>>& saved, double time);
 
   [[nodiscard]] std::vector<double> values(std::string_view field, int component = 0);
