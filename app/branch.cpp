@@ -43,11 +43,11 @@ void add_branch(Verb& command) {
   verb.argument("NEW", &options->output, "Folder for the new run");
   verb.option("--at", "TIME", &options->at,
               "Simulated time of the checkpoint, in the case's unit of time (default: the newest); "
-              "output.checkpoint_times and output.checkpoint_every keep some for this");
+              "output.checkpoint_times and output.checkpoint_every keep checkpoints for this");
   verb.option("--set", "KEY=VALUE", &options->changes,
-              "Change a key of the case from there on; may be repeated. Not possible are domain.size, particles, the "
+              "Change a key of the case from that time on; may be repeated. Not allowed: domain.size, particles, the "
               "initial conditions (director, velocity, colour) and other advanced fields");
-  verb.flag("--overwrite", &options->overwrite, "Remove the run that NEW holds first");
+  verb.flag("--overwrite", &options->overwrite, "First remove the run that is in NEW");
   add_plugin_path(verb, options->plugin_folders);
   add_running(verb, options->running);
 }

@@ -53,7 +53,7 @@ void add_check(Verb& command) {
                             [options] { return check(*options); });
   add_case(verb, options->source);
   add_threads(verb, options->running.threads);
-  verb.flag("--quick", &options->quick, "Take no steps, and so predict no wall time");
+  verb.flag("--quick", &options->quick, "Take no steps; the wall time is then not predicted");
   verb.flag("--json", &options->json, "Print JSON, for programs");
 }
 

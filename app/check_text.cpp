@@ -68,21 +68,21 @@ std::string steps_text(const Setup& setup, const StepForecast& steps) {
                         count_text(steps.expected), *time.step, unit,
                         steps.expected * *time.step > 1.000001 * time.end ? " or less" : "");
   } else {
-    text += fmt::format("time            {:.6g} {}, step chosen as the run goes, times {:.6g}\n", time.end, unit,
+    text += fmt::format("time            {:.6g} {}, step chosen during the run, multiplied by {:.6g}\n", time.end, unit,
                         time.factor);
   }
-  text += "step limits, beside those of the motion\n";
+  text += "limits on the step, in addition to those of the motion\n";
   for (const auto& limit : setup.limits.all()) {
     text += fmt::format("  {:<46} {:.6g} {}", limit.text, limit.seconds, unit);
-    if (limit.text == steps.limit) text += "   binds";
+    if (limit.text == steps.limit) text += "   limits the step";
     if (time.step && *time.step > limit.seconds)
       text += fmt::format("   time.step is {:.3g} times as long: {} break down", *time.step / limit.seconds,
                           steps.expected < many_steps ? "a longer run would" : "the run will");
     text += '\n';
   }
   if (!steps.fixed && steps.speed > 0.0 && steps.limit_at_speed != steps.limit)
-    text += fmt::format("  {:<46} {:.6g} {}   binds at {:.3g} {}\n", steps.limit_at_speed, steps.at_speed, unit,
-                        steps.speed, setup.source.units.text("m/s"));
+    text += fmt::format("  {:<46} {:.6g} {}   limits the step at {:.3g} {}\n", steps.limit_at_speed, steps.at_speed,
+                        unit, steps.speed, setup.source.units.text("m/s"));
   return text;
 }
 
@@ -121,7 +121,7 @@ std::string run_text(const Setup& setup, const CheckFacts& facts) {
   const double peak = facts.memory.peak();
   text += fmt::format("  memory          {}", bytes_text(peak));
   if (facts.memory_available > 0.0 && peak > facts.memory_available)
-    text += fmt::format(", more than the {} that can be had here", bytes_text(facts.memory_available));
+    text += fmt::format(", more than the {} that are available here", bytes_text(facts.memory_available));
   text += fmt::format("\n  disk            {}: {} frames of {}, {} checkpoints of {}\n", bytes_text(facts.disk),
                       count_text(facts.frames), bytes_text(facts.frame_bytes), count_text(facts.checkpoints),
                       bytes_text(facts.checkpoint_bytes));

@@ -41,14 +41,14 @@ ExitCode list(const CaseOptions& options) {
   }
   for (const auto& name : derived_fields(*setup))
     line(name, fmt::format("{} components", setup->catalogue.components(name)), units.text(setup->catalogue.unit(name)),
-         "framework", "made when read");
+         "framework", "computed when read");
   return ExitCode::done;
 }
 
 }  // namespace
 
 void add_field(Verb& command) {
-  Verb& field = command.verb("field", "Tell about the fields of a case");
+  Verb& field = command.verb("field", "Describe the fields of a case");
   const auto options = std::make_shared<CaseOptions>();
   Verb& verb = field.verb("list", "List the fields of a case: rank, unit, plugin, how they advance",
                           [options] { return list(*options); });

@@ -70,7 +70,7 @@ ExitCode info(const Options& options) {
 }  // namespace
 
 void add_plugin(Verb& command) {
-  Verb& plugin = command.verb("plugin", "Tell about plugins, write and check new ones");
+  Verb& plugin = command.verb("plugin", "Describe plugins, write and check new ones");
   const auto options = std::make_shared<Options>();
   Verb& list_verb =
       plugin.verb("list", "List all plugins by kind, with their files", [options] { return list(*options); });

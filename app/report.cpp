@@ -15,11 +15,11 @@ void add_report(Verb& command) {
   verb.option("--frame", "N", given.get(),
               "Frame to draw, counted from 0; negative numbers count from the end (default: -1, the last)",
               {.lowest = -no_limit, .excludes = {"--frames", "--every"}});
-  verb.option(
-      "--frames", "A:B", given.get(),
-      "Draw frames A to B, both included, each to files of its own, for example director_000012.png; A or B may "
-      "be left out; negative numbers count from the end");
-  verb.option("--every", "N", given.get(), "Draw each N-th frame, of all or of --frames (default: 1)", {.lowest = 1});
+  verb.option("--frames", "A:B", given.get(),
+              "Draw frames A to B, both included, each in its own files, for example director_000012.png; A or B may "
+              "be left out; negative numbers count from the end");
+  verb.option("--every", "N", given.get(), "Draw every N-th frame, of all frames or of --frames (default: 1)",
+              {.lowest = 1});
 }
 
 }  // namespace mesogen::app

@@ -40,11 +40,10 @@ void add_resume(Verb& command) {
   Verb& verb = command.verb("resume", "Continue a run from its newest checkpoint, or extend it",
                             [options] { return resume(*options); });
   verb.argument("DIR", &options->folder, "Folder of the run");
-  verb.option(
-      "--set", "KEY=VALUE", &options->changes,
-      fmt::format("Change a key of the case; may be repeated. time.end=20 extends the run. Possible are keys that "
-                  "do not change the past: {}; `mesogen branch` changes others",
-                  fmt::join(resumable_keys(), ", ")));
+  verb.option("--set", "KEY=VALUE", &options->changes,
+              fmt::format("Change a key of the case; may be repeated. time.end=20 extends the run. Allowed are only "
+                          "keys that do not change the past: {}; `mesogen branch` changes others",
+                          fmt::join(resumable_keys(), ", ")));
   add_plugin_path(verb, options->plugin_folders);
   add_running(verb, options->running);
 }

@@ -63,7 +63,7 @@ void add_run(Verb& command) {
   add_case(verb, options->source);
   verb.option("--output", "DIR", &options->output, "Folder for the results (default: output/<name of the case>)",
               {.letter = 'o'});
-  verb.flag("--overwrite", &options->overwrite, "Remove the run that the folder holds first");
+  verb.flag("--overwrite", &options->overwrite, "First remove the run that is in the folder");
   add_running(verb, options->running);
 }
 

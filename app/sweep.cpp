@@ -7,7 +7,7 @@ namespace mesogen::app {
 
 void add_sweep(Verb& command) {
   const auto given = std::make_shared<Forwarded>(with_this_mesogen());
-  Verb& verb = command.verb("sweep", "Run a case over parameters and seeds, or go on with it; means with errors",
+  Verb& verb = command.verb("sweep", "Run or continue a case over parameters and seeds; writes means with errors",
                             [given] { return hand_over("sweep", "mesogen.sweep", *given); });
   verb.argument("SWEEP", given.get(), "Sweep file (TOML)");
   verb.option("--output", "DIR", given.get(),
@@ -17,9 +17,9 @@ void add_sweep(Verb& command) {
   verb.option("--threads", "N", given.get(), "Threads of each run, 1 to 4096 (default: what the sweep file says)",
               {.lowest = 1, .highest = 4096});
   verb.flag("--retry", given.get(), "Try failed runs again");
-  verb.flag("--list", given.get(), "List the runs as commands, and how they stand; runs nothing",
+  verb.flag("--list", given.get(), "List the runs as commands, with the state of each; runs nothing",
             {.excludes = {"--collect-only", "--slurm", "--task"}});
-  verb.flag("--collect-only", given.get(), "Run nothing: tables of the runs that are done",
+  verb.flag("--collect-only", given.get(), "Run nothing; write tables of the runs that are done",
             {.excludes = {"--slurm", "--task"}});
   verb.flag("--slurm", given.get(), "Submit what is missing to Slurm as a job array, one task per run",
             {.excludes = {"--task"}});

@@ -4,9 +4,9 @@
     bench/model_cost.py build/release/bin/mesogen [--particles 500] [--threads 2] [--rounds 3] [-o docs/model_cost.md]
 
 The time of a step is that of `mesogen check`, which takes steps for two seconds and writes nothing. The variants take
-turns, so that what the machine does beside concerns all of them; the table gives medians over the rounds, their ratio
-to the full model, and what a second of simulated time costs, as the step too depends on the model. Memory is predicted.
-With 500 x 500 particles on two cores a round takes about 80 s.
+turns, so that other work of the machine affects all of them alike. The table gives medians over the rounds, their ratio
+to the full model, and what a second of simulated time costs, because the step size also depends on the model. Memory is
+what `mesogen check` predicts. With 500 x 500 particles on two cores a round takes about 80 s.
 """
 
 import argparse
@@ -113,18 +113,23 @@ def page(results, across, threads, rounds):
     full = results[0]
     lines = ["# What each part of the model costs", "",
              *textwrap.wrap(
-                 f"The paper's scene (zeta = 0.023 Pa, K = 0.02 N, ...) with {across} x {across} particles, single "
-                 f"precision unless said otherwise, {threads} thread{'s' if threads > 1 else ''} of {processor()}; medians "
-                 f"of {rounds} rounds in which the variants take turns. Made by `bench/model_cost.py`.", 120), "",
+                 "Use this table to see what a part of the model costs before you switch it on or off. It shows the "
+                 f"paper's scene (zeta = 0.023 Pa, K = 0.02 N, ...) with {across} x {across} particles, in single "
+                 f"precision unless a row says otherwise, on {threads} thread{'s' if threads > 1 else ''} of "
+                 f"{processor()}. The numbers are medians of {rounds} rounds, in which the variants take turns. "
+                 "`bench/model_cost.py` measures them and writes this page.", 120), "",
+             *textwrap.wrap(
+                 "`ms a step`: wall time per step. `step, ms`: simulated time per step. `s for 1 s`: wall time for one "
+                 "second of simulated time. `over full`: the column before it, divided by that of the full model. "
+                 "Memory is what `mesogen check` predicts.", 120), "",
              "| model | ms a step | over full | step, ms | s for 1 s | over full | memory, MB |",
              "|---|---|---|---|---|---|---|"]
     for (name, *_), (seconds, step, memory) in zip(VARIANTS, results):
         lines.append(f"| {name} | {1e3 * seconds:.3g} | {seconds / full[0]:.2f} | {1e3 * step:.3g} | "
                      f"{seconds / step:.3g} | {seconds / step / (full[0] / full[1]):.2g} | {memory / 1e6:.0f} |")
     still = results[[name for name, *_ in VARIANTS].index("without flow: the nematic alone")]
-    lines += ["", "`s for 1 s`: wall time for a second of simulated time. Memory is what `mesogen check` predicts.",
-              f"Without flow a step is {full[0] / still[0]:.1f} times as fast: nothing moves, so neighbours and the "
-              "weights of derivatives are found once."]
+    lines += ["", f"Without flow a step is {full[0] / still[0]:.1f} times as fast: nothing moves, so neighbours and "
+              "weights of derivatives are found only once."]
     return "\n".join(lines) + "\n"
 
 

@@ -40,21 +40,22 @@ std::string spacing_setting(const AdviceContext& context, double spacings) {
 
 void advise_on_few_spacings(const AdviceContext& context, double spacings, std::vector<Suggestion>& list) {
   const std::string finding =
-      formatted("a defect's core, xi, is %.2g spacings: the order in it is wrong by ", spacings) +
+      formatted("the core of a defect, xi, is only %.2g spacings: the order in cores is wrong by ", spacings) +
       (spacings < 1.0 ? "more than 6 %" : formatted("some %.2g %%", percent_wrong(spacings)));
   const double particles = static_cast<double>(context.scene.particle_count) * std::pow(good_spacings / spacings, 2);
   if (particles > most_particles) {
-    list.push_back({"core_under_resolved",
-                    finding,
-                    {},
-                    formatted("cores of %.2g spacings take %.2g particles: a smaller box or larger elastic "
-                              "constant helps",
-                              good_spacings, particles)});
+    list.push_back(
+        {"core_under_resolved",
+         finding,
+         {},
+         formatted(
+             "cores of %.2g spacings need %.2g particles; instead, choose a smaller box or a larger elastic constant",
+             good_spacings, particles)});
   } else {
     list.push_back({"core_under_resolved",
                     finding,
                     {spacing_setting(context, good_spacings)},
-                    formatted("it is wrong by some %.2g %%", percent_wrong(good_spacings))});
+                    formatted("the order in cores is wrong by some %.2g %%", percent_wrong(good_spacings))});
   }
 }
 
@@ -75,7 +76,7 @@ void advise_on_cores(const AdviceContext& context, std::vector<Suggestion>& list
   const double coarser = spacings / good_spacings;
   list.push_back(
       {"core_over_resolved",
-       formatted("a defect's core, xi, is %.2g spacings: more than its order needs", spacings),
+       formatted("the core of a defect, xi, is %.2g spacings, finer than needed for the order in it", spacings),
        {spacing_setting(context, good_spacings)},
        formatted("the order in cores is wrong by some %.2g %% instead of %.2g %%, with %.2g times fewer particles",
                  percent_wrong(good_spacings), percent_wrong(spacings), coarser * coarser)});
@@ -98,7 +99,7 @@ void advise_on_order(const AdviceContext& context, std::vector<Suggestion>& list
   std::vector<std::string> settings{setting(key, -wanted)};
   if (!(c > 0.0)) settings.push_back(setting(context.section + ".bulk.C", wanted / 2.0));
   list.push_back({"no_order",
-                  formatted("%s, %.3g %s, is not below 0: the order decays, and with it all that the activity acts on",
+                  formatted("%s is %.3g %s, not below 0: the order decays, so the activity has nothing to act on",
                             key.c_str(), a, context.unit("Pa").c_str()),
                   std::move(settings), "the nematic keeps an order of 1"});
 }
@@ -124,10 +125,10 @@ void advise_on_activity(const AdviceContext& context, std::vector<Suggestion>& l
   const std::string unit = context.unit("Pa");
   list.push_back({"nothing_grows",
                   formatted("the activity, %.3g %s, is below the threshold of %.3g %s in this box: all waves of the "
-                            "director decay, and nothing starts to flow",
+                            "director decay, and no flow starts",
                             fluid->activity, unit.c_str(), above, unit.c_str()),
                   {setting(context.section + ".activity", 2.0 * above)},
-                  "the longest waves grow and the fluid flows by itself; a larger box lowers the threshold too"});
+                  "the longest waves grow, and the fluid flows by itself; a larger box also lowers the threshold"});
 }
 
 }  // namespace mesogen::nematics

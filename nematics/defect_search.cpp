@@ -7,12 +7,14 @@ void DefectSearch::parameters(ParameterList& list) {
       .unit("spacings")
       .at_least(0.0)
       .at_most(100.0)
-      .doc("pairs of opposite charges closer than this are left out: they are about to vanish, or noise");
+      .doc("pairs of opposite charges closer than this are left out, because they are about to vanish or are noise");
   list.number("smoothing_length", smoothing_length)
       .unit("spacings")
       .above(0.25)
       .at_most(10.0)
-      .doc("of the kernel that averages what the particles carry; its shape is that of the run's kernel");
+      .doc(
+          "smoothing length of the kernel that averages the order tensor of the particles; it has the shape of the "
+          "run's kernel");
 }
 
 std::vector<Defect> DefectSearch::find(const ObserverContext& context) const {

@@ -24,21 +24,21 @@ class StructureFunction final : public Observer {
   static constexpr DimensionSet dimensions{2};
 
   void parameters(ParameterList& list) override {
-    list.integer("bins", bins_).unit("1").at_least(1).at_most(10000).doc("distances, each of the same width");
+    list.integer("bins", bins_).unit("1").at_least(1).at_most(10000).doc("number of distances, all of the same width");
     list.number_or("largest", largest_, "auto").unit("m").above(0).doc("largest distance; auto: a quarter of the box");
     list.integer("centres", centres_)
         .unit("1")
         .at_least(1)
         .doc(
-            "particles, at most all, spread evenly over the ids, whose surroundings are looked at; the cost goes with "
-            "it");
+            "number of particles, spread evenly over the ids, whose surroundings are searched; the cost is "
+            "proportional to it");
   }
 
   void plan(const Scene&, ObserverPlan& plan) override {
     plan.reads("velocity");
     plan.table("structure_function", 4)
         .unit("m, m2/s2, m2/s2, 1")
-        .doc("a row a distance: mean distance, longitudinal and transverse structure function, number of pairs");
+        .doc("one row per distance: mean distance, longitudinal and transverse structure function, number of pairs");
   }
 
   void sample(const ObserverContext& context, Sample& sample) override {

@@ -53,7 +53,7 @@ requires(Dim == 2) class ThermalNoise final : public Physics {
  public:
   void parameters(ParameterList& list) override {
     list.number("temperature", temperature_).unit("N").at_least(0).required().doc("kT per depth of the film");
-    list.integer("seed", seed_).unit("1").doc("of the random numbers");
+    list.integer("seed", seed_).unit("1").doc("seed of the random numbers");
   }
 
   void declare(const Scene& scene, PassList& list) override {

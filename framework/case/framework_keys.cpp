@@ -8,43 +8,41 @@ namespace mesogen::case_keys {
 
 const std::vector<Section>& sections() {
   static const std::vector<Section> all = {
-      {.name = "", .doc = "Before the first section."},
+      {.name = "", .doc = "Keys that stand before the first section."},
       {.name = "units",
-       .doc =
-           "Units of all numbers of the case, for messages, pictures and results. No number is converted: with um, s "
-           "and pN a viscosity is in pN s/um2, a density in pN s2/um4."},
-      {.name = "domain", .doc = "The box.", .required = true},
+       .doc = "Units of all numbers of the case; messages, pictures and results use them too. No number is converted: "
+              "with um, s and pN, a viscosity is in pN s/um2 and a density in pN s2/um4."},
+      {.name = "domain", .doc = "The box that the particles fill.", .required = true},
       {.name = "domain.boundary",
-       .doc =
-           "What lies beyond the faces of the box: the name of a boundary plugin, or a table with its type and keys.",
+       .doc = "What is beyond the faces of the box: the name of a boundary plugin, or a table with its type and keys.",
        .required = true,
        .plugin = PluginKind::boundary},
-      {.name = "particles", .doc = "How the box is filled.", .required = true},
+      {.name = "particles", .doc = "How particles fill the box at the start.", .required = true},
       {.name = "kernel", .doc = "The smoothing kernel.", .required = true, .plugin = PluginKind::kernel},
       {.name = "NAME",
        .doc = "An initial condition: what the particles carry when the run starts. The section has the name of the "
               "plugin, such as [director] or [velocity].",
        .plugin = PluginKind::initial},
       {.name = "physics",
-       .doc = "What happens: at least one table, named at will, such as [physics.flow].",
+       .doc = "The physics: at least one table with a name of your choice, such as [physics.flow].",
        .required = true,
        .instances = true,
        .plugin = PluginKind::physics},
-      {.name = "time", .doc = "How long, and in which steps.", .required = true},
+      {.name = "time", .doc = "How much time the run simulates, and in which steps.", .required = true},
       {.name = "output", .doc = "What is stored of the particles, and when."},
       {.name = "observers",
-       .doc = "What is recorded: tables named at will, such as [observers.defects]. Each samples at the start, at the "
-              "end, and as `interval` or `every` says.",
+       .doc = "What is recorded: tables with names of your choice, such as [observers.defects]. Each observer samples "
+              "at the start, at the end, and in between as `interval` or `every` says.",
        .instances = true,
        .plugin = PluginKind::observer},
-      {.name = "run", .doc = "How it is computed."},
+      {.name = "run", .doc = "How the run is computed."},
   };
   return all;
 }
 
 ParameterList title(std::string& title) {
   ParameterList list;
-  list.text("title", title).doc("what the case is, for people");
+  list.text("title", title).doc("title of the case, for people who read it");
   return list;
 }
 
@@ -70,13 +68,17 @@ ParameterList domain(Case::Domain& domain) {
 
 ParameterList particles(Case::Particles& particles) {
   ParameterList list;
-  list.number("spacing", particles.spacing).unit("m").doc("distance of particles").above(0.0).required();
+  list.number("spacing", particles.spacing)
+      .unit("m")
+      .doc("distance between neighbouring particles at the start")
+      .above(0.0)
+      .required();
   list.text("arrangement", particles.arrangement)
-      .doc("where particles start")
+      .doc("how particles are arranged at the start")
       .choices({"lattice", "hexagonal", "jittered"});
-  list.integer("seed", particles.seed).doc("of the random numbers");
+  list.integer("seed", particles.seed).doc("seed of the random numbers");
   list.number("jitter", particles.jitter)
-      .doc("largest shift along each axis, in spacings")
+      .doc("largest random shift of a particle along each axis, in spacings")
       .at_least(0.0)
       .at_most(0.5)
       .only_with("arrangement", {"jittered"});
@@ -88,8 +90,8 @@ ParameterList kernel(double& smoothing_length_ratio, std::string& laplacian) {
   list.number("smoothing_length", smoothing_length_ratio).doc("smoothing length h in particle spacings").above(0.0);
   list.text("laplacian", laplacian)
       .doc(
-          "how second derivatives are summed: plain is cheaper and wants evenly spread particles; consistent is exact "
-          "for quadratic fields on any")
+          "how second derivatives are summed. plain: costs less, but needs evenly spread particles; consistent: exact "
+          "for quadratic fields however the particles lie")
       .choices({"plain", "consistent"});
   return list;
 }
@@ -99,13 +101,17 @@ ParameterList time(Case::Time& time) {
   list.number("end", time.end).unit("s").doc("simulated time to run").above(0.0).required();
   list.number_or("step", time.step, "auto")
       .unit("s")
-      .doc("time step; shortened where a sample, a frame or a kept checkpoint is asked for between two steps")
+      .doc(
+          "time step; auto: as the stability limits of all plugins allow. A step is shortened to end exactly at a "
+          "sample, a frame or a kept checkpoint")
       .above(0.0);
   list.text("scheme", time.scheme)
       .choices({"half_steps", "midpoint"})
-      .doc("velocity and order tensor advanced by halves of the rates before and after, or by the midpoint's alone");
+      .doc(
+          "how velocity and order tensor are advanced. midpoint: by the rate at the midpoint of the step; half_steps: "
+          "by half of this rate and half of the one a step earlier, as published");
   list.number("factor", time.factor)
-      .doc("automatic step in multiples of its stability limit")
+      .doc("automatic step in multiples of its stability limit; above 1 a run may break down")
       .above(0.0)
       .only_with("step", {"auto"});
   return list;
@@ -116,36 +122,40 @@ ParameterList output(Case::Output& output) {
   list.number("interval", output.interval)
       .unit("s")
       .doc(
-          "simulated time between stored frames; by default the whole run. Steps end exactly on these times: they are "
-          "shortened for that, so another interval changes the steps, and rounding with them")
+          "simulated time between stored frames; by default the whole run. Steps are shortened to end exactly at these "
+          "times, so another interval changes the steps, and with them the rounding")
       .above(0.0);
   list.number("checkpoint_interval", output.checkpoint_interval)
       .unit("s of wall time")
-      .doc("time between checkpoints, from which a run that was broken off goes on; only the newest two stay")
+      .doc(
+          "wall time between checkpoints, from which `mesogen resume` continues a run that was interrupted; only the "
+          "newest two are kept")
       .above(0.0);
   list.numbers("checkpoint_times", output.checkpoint_times)
       .unit("s")
       .doc(
-          "simulated times of checkpoints that stay for good, in the run's folder `checkpoints`: `mesogen branch --at` "
-          "starts new runs from them")
+          "simulated times of checkpoints that are kept for good, in the run's folder `checkpoints`; `mesogen branch "
+          "--at` starts new runs from them")
       .above(0.0);
   list.number_or("checkpoint_every", output.checkpoint_every, "")
       .unit("s")
-      .doc("simulated time between such checkpoints; beside checkpoint_times: both")
+      .doc("simulated time between checkpoints that are kept for good; those of checkpoint_times are kept in addition")
       .above(0.0);
   list.texts("fields", output.fields)
-      .doc("stored fields of the particles, beside their positions; by default those that their plugins show");
+      .doc("fields that frames store in addition to the positions; by default those that the plugins mark as shown");
   return list;
 }
 
 ParameterList run(Case::Run& run, std::string& precision) {
   ParameterList list;
-  list.text("precision", precision).doc("arithmetic of the pair sums").choices({"single", "double"});
+  list.text("precision", precision)
+      .doc(
+          "precision of sums over neighbours and of derived fields; fields that are advanced in time are always double")
+      .choices({"single", "double"});
   list.text("device", run.device)
       .doc(
-          "where it computes: the first CUDA device, or with \"auto\" there if there is one and all physics plugins "
-          "have "
-          "code for it")
+          "where the run is computed. cpu: on the host; cuda: on the first CUDA device; auto: on that device if there "
+          "is one and all physics plugins have code for it, otherwise on the host")
       .choices({"cpu", "cuda", "auto"});
   return list;
 }
@@ -161,12 +171,12 @@ ParameterList timing(ObserverTiming& timing, std::int64_t& every) {
   list.number_or("interval", timing.interval, "")
       .unit("s")
       .doc(
-          "simulated time between samples. Steps end exactly on these times: they are shortened for that, so another "
-          "interval changes the steps. Observing itself changes nothing")
+          "simulated time between samples. Steps are shortened to end exactly at these times, so another interval "
+          "changes the steps. The observation itself changes nothing")
       .above(0.0);
   list.integer("every", every)
       .unit("steps")
-      .doc("steps between samples; not beside interval. Leaves the steps as they are")
+      .doc("number of steps between samples; not together with interval. Does not change the steps")
       .at_least(1.0);
   return list;
 }

@@ -27,10 +27,10 @@ std::optional<Suggestion> double_precision(const AdviceInput& input) {
   if (scene.precision == Precision::single_precision || longest > smoothing_lengths_in_single * scene.smoothing_length)
     return std::nullopt;
   return Suggestion{"double_precision",
-                    "pair sums in double precision are more than this scene needs: what is advanced in time is kept in "
-                    "double in any case",
+                    "this scene does not need sums over neighbours in double precision: fields that are advanced in "
+                    "time are double in any case",
                     {"run.precision=single"},
-                    "the same answer to some 0.1 %, smaller frames, and faster steps"};
+                    "the same answer within some 0.1 %, smaller frames, and faster steps"};
 }
 
 std::optional<Suggestion> short_step(const AdviceInput& input) {
@@ -41,9 +41,9 @@ std::optional<Suggestion> short_step(const AdviceInput& input) {
   const double ratio = time.step ? limit / *time.step : 1.0 / time.factor;
   if (ratio < 1.4) return std::nullopt;
   return Suggestion{"short_step",
-                    fmt::format("the step is {:.2g} of what is stable", 1.0 / ratio),
+                    fmt::format("the step is {:.2g} of the stability limit", 1.0 / ratio),
                     {time.step ? "time.step=auto" : "time.factor=1"},
-                    fmt::format("up to {:.2g} times fewer steps, and as good an answer", ratio)};
+                    fmt::format("up to {:.2g} times fewer steps; the answer is as good", ratio)};
 }
 
 std::optional<Suggestion> large_output(const AdviceInput& input) {
@@ -54,7 +54,7 @@ std::optional<Suggestion> large_output(const AdviceInput& input) {
   const double fewer = std::max(2.0, std::floor(input.free_disk / 4.0 / one));
   return Suggestion{
       "large_output",
-      fmt::format("{:.10g} frames of {:.3g} MB take {:.3g} GB: more than half of what is free on this disk", frames,
+      fmt::format("{:.10g} frames of {:.3g} MB take {:.3g} GB, more than half of the free space on this disk", frames,
                   one / 1e6, frames * one / 1e9),
       {setting("output.interval", rounded_up(source.time.end / (fewer - 1.0)))},
       fmt::format("{:.10g} frames, {:.2g} times fewer bytes", fewer, frames / fewer)};

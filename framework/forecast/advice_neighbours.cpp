@@ -10,11 +10,11 @@ std::optional<Suggestion> few_neighbours(const AdviceInput& input) {
   if (spacings >= 3.0 || input.setup.graph->transport().velocity.empty()) return std::nullopt;
   const double per_length = input.setup.smoothing.shape.support();
   return Suggestion{"few_neighbours",
-                    fmt::format("the kernel reaches {:.2g} spacings: particles that flow see too few neighbours; the "
-                                "answer is wrong by some per cent",
+                    fmt::format("the kernel reaches only {:.2g} spacings: particles that flow have too few neighbours, "
+                                "and the answer is wrong by some per cent",
                                 spacings),
                     {setting("kernel.smoothing_length", 4.0 / per_length)},
-                    "with a reach of four spacings they stay evenly spread, and steps are longer"};
+                    "with a reach of four spacings particles stay evenly spread, and steps are longer"};
 }
 
 }  // namespace mesogen::rules

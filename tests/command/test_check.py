@@ -53,7 +53,7 @@ class Check(CommandTest):
         self.assertRegex(out, r"(?m)^  wall time +\S+ (s|min) or more with \d threads?: \S+ ms a step \(from \d+ steps\)$")
         self.assertRegex(out, r"(?m)^  memory +\S+ MB$")
         self.assertRegex(out, r"(?m)^  disk +\S+ MB: 3 frames of \S+ MB, 2 checkpoints of \S+ MB$")
-        self.assertRegex(out, r"(?m)^  sound: .* s   binds$")
+        self.assertRegex(out, r"(?m)^  sound: .* s   limits the step$")
         self.assertEqual(os.listdir(self.folder), ["case.toml"])
 
     def test_quick_takes_no_steps(self):
@@ -112,7 +112,7 @@ class Check(CommandTest):
     def test_step_that_is_too_long_is_told(self):
         out, _ = self.mesogen("check", self.write_case(), "--set", "time.step=1.0", "--set", "time.end=20.0", "--set",
                               "observers.flow.interval=20.0", "--set", "output.interval=20.0")
-        self.assertRegex(out, r"viscosity: \S.* s +(binds +)?time\.step is \S+ times as long: the run will break down\n")
+        self.assertRegex(out, r"viscosity: \S.* s +(limits the step +)?time\.step is \S+ times as long: the run will break down\n")
         self.assertRegex(out, r"(?m)^  wall time +not measured: the run (broke down|ran away)")
         self.assertIn("case.toml is right, but its run breaks down\n", out)
         # A run of one such step is over before it breaks down.
@@ -139,9 +139,9 @@ class Check(CommandTest):
         settings = "time.factor=0.5", "run.precision=double"
         arguments = [word for setting in settings for word in ("--set", setting)]
         out, _ = self.mesogen("check", case, "--quick", *arguments)
-        self.assertRegex(out, r"(?m)^advice\n(?:.*\n)*  the step is 0\.5 of what is stable\n"
+        self.assertRegex(out, r"(?m)^advice\n(?:.*\n)*  the step is 0\.5 of the stability limit\n"
                               r"      --set time\.factor=1\n"
-                              r"      up to 2 times fewer steps, and as good an answer\n"
+                              r"      up to 2 times fewer steps; the answer is as good\n"
                               r"      steps 24 -> 12\n")
         told = {one["name"]: one for one in self.check(*arguments)["advice"]}
         self.assertEqual(told["short_step"]["settings"], ["time.factor=1"])
@@ -165,8 +165,8 @@ class Check(CommandTest):
 
     def test_a_core_that_no_spacing_resolves_is_told(self):
         out, _ = self.mesogen("check", self.write_case(), "--quick", "--set", "physics.nematic.elastic_constant=1e-9")
-        self.assertRegex(out, r"(?m)^  a defect's core, xi, is 0\.00032 spacings: .*\n"
-                              r"      cores of 2 spacings take 1e\+10 particles: a smaller box or larger elastic constant")
+        self.assertRegex(out, r"(?m)^  the core of a defect, xi, is only 0\.00032 spacings: .*\n"
+                              r"      cores of 2 spacings need 1e\+10 particles; instead, choose a smaller box or")
 
     def test_misspelt_section_is_told_once(self):
         for right, wrong in (("domain", "domian"), ("director", "directr"), ("kernel", "kernal")):

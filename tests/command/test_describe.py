@@ -171,8 +171,8 @@ class Reference(CommandTest):
                      '| `amplitude` | number | rad | >= 0 | required | largest random deviation of the angle; only with '
                      '`type = "perturbed"` |',
                      "| `interval` | number | s | > 0 | | simulated time between stored frames; by default the whole run. "
-                     "Steps end exactly on these times: they are shortened for that, so another interval changes the "
-                     "steps, and rounding with them |",
+                     "Steps are shortened to end exactly at these times, so another interval changes the steps, and "
+                     "with them the rounding |",
                      "| `viscosity` | number | Pa s | > 0 | required | mu: dynamic viscosity |",
                      "| `order_tensor_rate` | order tensor | 1/s | DQ/Dt | |",
                      "| friction | rates | `velocity`, `density` | | | | `acceleration` |",

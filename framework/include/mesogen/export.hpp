@@ -1,9 +1,9 @@
 #pragma once
 
-/// Symbols that cross a library boundary are marked; everything else is hidden.
+/// Marks symbols that other libraries use. All other symbols are hidden.
 #define MESOGEN_EXPORT __attribute__((visibility("default")))
 
-/// Functors of a pass run on the host and, compiled by nvcc, on the device.
+/// Marks functions that run on the host and also, compiled by nvcc, on a device: functors of a pass, for example.
 #ifdef __CUDACC__
 #define MESOGEN_HOST_DEVICE __host__ __device__
 #else

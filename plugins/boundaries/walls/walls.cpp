@@ -19,25 +19,33 @@ using namespace mesogen;
 class Walls final : public Boundary {
  public:
   void parameters(ParameterList& list) override {
-    list.texts("axes", axes_).choices({"x", "y"}).doc("axes with a wall at either end; the others are periodic");
+    list.texts("axes", axes_).choices({"x", "y"}).doc("axes with a wall at both ends; the other axes are periodic");
     list.number("velocity_low", velocity_low_)
         .unit("m/s")
-        .doc("speed of the wall at the axis' beginning, along the wall (toward larger x or y)");
-    list.number("velocity_high", velocity_high_).unit("m/s").doc("the same of the wall at the axis' end");
+        .doc("speed of the wall at the low end of the axis, along the wall; positive toward larger x or y");
+    list.number("velocity_high", velocity_high_).unit("m/s").doc("the same for the wall at the high end");
     list.text("anchoring", anchoring_)
         .choices({"none", "planar", "homeotropic", "angle"})
-        .doc("director at the walls: free (no torque), along them, across them, or at angle_low and angle_high");
+        .doc(
+            "director at the walls. none: free (no torque); planar: along the walls; homeotropic: across them; angle: "
+            "at angle_low and angle_high");
     list.number("angle_low", angle_low_)
         .unit("degree")
         .at_least(-180)
         .at_most(180)
-        .doc("director's angle to the x axis at the wall of the axis' beginning, with anchoring = \"angle\"");
+        .doc("angle of the director to the x axis at the wall at the low end, with anchoring = \"angle\"");
     list.number("angle_high", angle_high_)
         .unit("degree")
         .at_least(-180)
         .at_most(180)
-        .doc("the same at the axis' end; it matters whether both turn the same way: 90 and -90 are one director");
-    list.number("order", order_).unit("1").at_least(0).at_most(1).doc("order q at an anchoring wall");
+        .doc(
+            "the same for the wall at the high end. The sign counts: 45 and -45 are different directors, but 90 and "
+            "-90 are the same");
+    list.number("order", order_)
+        .unit("1")
+        .at_least(0)
+        .at_most(1)
+        .doc("order q at the walls, if they anchor the director");
   }
 
   void scales(Scales& scales) const override {

@@ -27,7 +27,7 @@ class Director final : public Initial {
 
   void parameters(ParameterList& list) override {
     list.text("type", type_)
-        .doc("how the director lies at the start")
+        .doc("how the director is oriented at the start")
         .choices({"uniform", "perturbed", "modes", "defects"})
         .required();
     list.number("order", order_).doc("magnitude q of the order tensor").at_least(0.0);
@@ -35,7 +35,7 @@ class Director final : public Initial {
         .unit("degree")
         .at_least(-360)
         .at_most(360)
-        .doc("angle of the director to the x axis; added to what the type gives");
+        .doc("angle of the director to the x axis; added to the angle that the type gives");
     list.number("amplitude", amplitude_)
         .unit("rad")
         .doc("largest random deviation of the angle")
@@ -44,18 +44,20 @@ class Director final : public Initial {
         .only_with("type", {"perturbed"});
     list.integer("seed", seed_).doc("seed of the random deviations").only_with("type", {"perturbed"});
     list.rows("modes", modes_)
-        .doc("rows mx, my, amplitude (rad), phase (rad): cosine waves of the angle")
+        .doc(
+            "rows mx, my, amplitude (rad), phase (rad): cosine waves of the angle, with mx and my waves in the box "
+            "along x and y")
         .sizes({4})
         .required()
         .only_with("type", {"modes"});
     list.rows("defects", defects_)
-        .doc("rows x (m), y (m), charge (0.5 or -0.5); beyond a periodic face they are folded into the box")
+        .doc("rows x (m), y (m), charge (0.5 or -0.5); a position beyond a periodic face is moved into the box")
         .sizes({3})
         .required()
         .only_with("type", {"defects"});
     list.number_or("core", core_, "auto")
         .unit("m")
-        .doc("core radius of the defects; auto: the spacing of the particles")
+        .doc("core radius of the defects; auto: the particle spacing")
         .above(0.0)
         .only_with("type", {"defects"});
   }

@@ -25,7 +25,9 @@ class Velocity final : public Initial {
         .required()
         .only_with("type", {"uniform"});
     list.rows("modes", modes_)
-        .doc("rows mx, my, amplitude (m^2/s), phase (rad): cosine waves of the stream function")
+        .doc(
+            "rows mx, my, amplitude (m^2/s), phase (rad): cosine waves of the stream function, with mx and my waves in "
+            "the box along x and y")
         .sizes({4})
         .required()
         .only_with("type", {"modes"});

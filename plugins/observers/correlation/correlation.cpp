@@ -91,15 +91,15 @@ class Correlation final : public Observer {
         .unit("particle spacings")
         .at_least(1.0)
         .at_most(10.0)
-        .doc("spacing of the mesh; waves shorter than 3 of it are left out");
+        .doc("approximate spacing of the mesh; waves shorter than 3 mesh spacings are left out");
     list.number_or("separation_step", separation_step_, "auto")
         .unit("m")
         .above(0.0)
-        .doc("from one separation r of the tables to the next; auto: the particle spacing");
+        .doc("step from one separation r of the tables to the next; auto: the particle spacing");
     list.number("level", level_)
         .above(0.0)
         .below(1.0)
-        .doc("the level whose first crossing is recorded beside that of 0");
+        .doc("level of the autocorrelation whose first crossing is recorded, in addition to that of 0");
   }
 
   void plan(const Scene& scene, ObserverPlan& plan) override {
@@ -110,20 +110,20 @@ class Correlation final : public Observer {
     plan.scalar("velocity_beyond")
         .unit("1")
         .doc(
-            "share of the mean square velocity, without that of its mean, which lies beyond the modes; correlations "
-            "are those of the rest");
+            "share of the variance of the velocity in waves too short for the mesh; the correlations are those of the "
+            "rest");
     for (const std::string field : {"velocity", "vorticity"}) {
       plan.table(field, 3).unit("m, 1, 1").doc(
           "separation r, up to half the shortest edge; autocorrelation of the " + field +
-          " without its mean, mean over separations along the axes; mean over all directions");
+          " without its mean, averaged over separations along the axes; the same averaged over all directions");
       for (const std::string along : {"axes", "radial"}) {
         const std::string which = along == "axes" ? " along the axes" : " over all directions";
         plan.scalar(crossing(field, "zero", along))
             .unit("m")
-            .doc("where its autocorrelation" + which + " first comes down to 0; NaN where it does not");
+            .doc("separation at which its autocorrelation" + which + " first falls to 0; NaN if it does not");
         plan.scalar(crossing(field, "level", along))
             .unit("m")
-            .doc("where its autocorrelation" + which + " first comes down to `level`; NaN where it does not");
+            .doc("separation at which its autocorrelation" + which + " first falls to `level`; NaN if it does not");
       }
     }
   }

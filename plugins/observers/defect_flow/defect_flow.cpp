@@ -135,7 +135,7 @@ class DefectFlow final : public Observer {
     list.number("isolation", isolation_)
         .unit("m")
         .at_least(0.0)
-        .doc("defects closer than this to another one, of any charge, are left out");
+        .doc("defects closer than this to another defect, of any charge, are left out");
     search_.parameters(list);
   }
 
@@ -151,19 +151,21 @@ class DefectFlow final : public Observer {
     plan.reads("order_tensor");
     plan.reads("velocity");
     plan.reads_if_present("velocity_gradient");
-    plan.scalar("count_plus").doc("number of +1/2 defects in the mean, over all samples so far");
-    plan.scalar("count_minus").doc("number of -1/2 defects in the mean, over all samples so far");
+    plan.scalar("count_plus").doc("number of +1/2 defects in the mean, summed over all samples so far");
+    plan.scalar("count_minus").doc("number of -1/2 defects in the mean, summed over all samples so far");
     plan.scalar("left_out")
         .doc(
-            "number of defects left out of both means, over all samples so far: closer than "
-            "`isolation` to another");
+            "number of defects left out of both means because another is closer than `isolation`, summed over all "
+            "samples so far");
     for (const auto* name : {"plus", "minus"})
       plan.table(name, 5)
           .unit("m, m, m/s, m/s, 1/s")
           .doc("mean flow around a " + std::string(name == std::string("plus") ? "+1/2" : "-1/2") +
-               " defect so far, a row a point, x fastest: x, y, u, v, vorticity in the defect's frame (x axis: " +
+               " defect so far, one row per point, x fastest: x, y, u, v and vorticity along the axes of the defect (x "
+               "axis: " +
                (name == std::string("plus") ? "from head to tail" : "along a leg") +
-               "), velocity of the lab; NaN where nothing was seen, and the vorticity without velocity_gradient");
+               "). Velocities are relative to the box, not to the defect. NaN at points without data; vorticity is NaN "
+               "without velocity_gradient");
   }
 
   void sample(const ObserverContext& context, Sample& sample) override {

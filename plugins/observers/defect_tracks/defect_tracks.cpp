@@ -74,9 +74,10 @@ class DefectTracks final : public Observer {
         .unit("m")
         .above(0.0)
         .doc(
-            "a defect that is farther than this from where it was at the last sample is another one: the largest "
-            "speed times the interval, but less than half the distance of like defects; auto: a quarter of the mean "
-            "distance of defects, sqrt(area / number), or 5 spacings if that is more");
+            "largest distance that a defect can move between two samples; a defect farther away counts as another one. "
+            "Choose the largest speed times the interval, but less than half the distance of defects of the same "
+            "charge. auto: a quarter of the mean distance of defects, sqrt(area / number), or 5 spacings if that is "
+            "more");
     search_.parameters(list);
   }
 
@@ -85,21 +86,28 @@ class DefectTracks final : public Observer {
     auto& table = plan.table("tracks", 8);
     table.unit("1, m, m, 1, rad, m/s, m/s, s")
         .doc(
-            "a row a defect: id, x, y without jumps at the faces, charge, orientation (as of `defects`), velocity "
-            "vx, vy: displacement over the time since the last sample, NaN at its first; age since its first");
+            "one row per defect: id; x, y without jumps at the faces; charge; orientation (as of the observer "
+            "`defects`); velocity vx, vy (displacement since the last sample divided by the time; NaN at the first "
+            "sample of the defect); age since its first sample");
     table.varying = true;
     plan.scalar("births").doc("pairs created since the last sample: +1/2 defects that appeared");
     plan.scalar("deaths").doc("pairs annihilated since the last sample: +1/2 defects that vanished");
-    plan.scalar("created").doc("births of all samples so far");
-    plan.scalar("annihilated").doc("deaths of all samples so far");
+    plan.scalar("created").doc("sum of births over all samples so far");
+    plan.scalar("annihilated").doc("sum of deaths over all samples so far");
     plan.scalar("lifetime")
         .unit("s")
-        .doc("mean time from the first to the last sample of a defect, of all that vanished so far; NaN without");
-    plan.scalar("speed_plus").unit("m/s").doc("mean speed of +1/2 defects since the last sample; NaN without");
-    plan.scalar("speed_minus").unit("m/s").doc("mean speed of -1/2 defects since the last sample; NaN without");
+        .doc(
+            "mean time from the first to the last sample of a defect, over all defects that vanished so far; NaN if "
+            "none did");
+    plan.scalar("speed_plus")
+        .unit("m/s")
+        .doc("mean speed of +1/2 defects since the last sample; NaN if there are none");
+    plan.scalar("speed_minus")
+        .unit("m/s")
+        .doc("mean speed of -1/2 defects since the last sample; NaN if there are none");
     plan.scalar("axial_velocity_plus")
         .unit("m/s")
-        .doc("mean velocity of +1/2 defects along their own axis, above 0 toward the head; NaN without");
+        .doc("mean velocity of +1/2 defects along their own axis, positive toward the head; NaN if there are none");
   }
 
   void sample(const ObserverContext& context, Sample& sample) override {

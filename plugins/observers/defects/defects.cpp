@@ -18,12 +18,14 @@ class Defects final : public Observer {
     plan.scalar("count_plus").doc("number of defects of charge +1/2");
     plan.scalar("count_minus").doc("number of defects of charge -1/2");
     plan.scalar("total_charge").doc("sum of the charges; always 0 in a periodic box");
-    plan.scalar("pair_distance").unit("m").doc("smallest distance between defects of opposite charges; NaN without");
+    plan.scalar("pair_distance")
+        .unit("m")
+        .doc("smallest distance between defects of opposite charges; NaN if there is no such pair");
     auto& table = plan.table("defects", 4);
     table.unit("m, m, 1, rad")
         .doc(
-            "a row a defect: x, y, charge, orientation (the direction from the defect in which the "
-            "director is radial: +1/2, from head to tail; -1/2, one of three legs)");
+            "one row per defect: x, y, charge, orientation (the direction, seen from the defect, in which the director "
+            "is radial: for +1/2 from head to tail; for -1/2 along one of three legs)");
     table.varying = true;
   }
 

@@ -157,7 +157,7 @@ class EnergySpectrum final : public Observer {
         .unit("particle spacings")
         .at_least(1.0)
         .at_most(10.0)
-        .doc("spacing of the mesh; the spectrum goes to 2 pi / 3 over it");
+        .doc("approximate spacing of the mesh; the spectrum ends at the wave number 2 pi / 3 divided by this spacing");
     list.rows("slopes", ranges_)
         .unit("1/m")
         .sizes({2})
@@ -173,11 +173,11 @@ class EnergySpectrum final : public Observer {
     plan.reads("velocity");
     plan.table("spectrum", 3)
         .unit("1/m, m3/s2, 1")
-        .doc("by shell: mean wave number of its modes, E(k), number of modes");
-    plan.scalar("energy").unit("m2/s2").doc("sum over the spectrum: half the mean square velocity, as far as it goes");
+        .doc("one row per shell of wave numbers: mean wave number of its modes, E(k), number of modes");
+    plan.scalar("energy").unit("m2/s2").doc("sum over the spectrum: half the mean square velocity of the waves in it");
     plan.scalar("energy_beyond")
         .unit("1")
-        .doc("share of the energy, without that of the mean velocity, which lies beyond the spectrum");
+        .doc("share of the energy (without that of the mean velocity) in waves beyond the spectrum");
     plan.scalar("mean_wave_number").unit("1/m").doc("mean of k, weighted with the energy");
     if (!ranges_.empty())
       plan.table("slopes", 4).unit("1/m, 1/m, 1, 1").doc("by range: from, to, slope, its standard error in the fit");

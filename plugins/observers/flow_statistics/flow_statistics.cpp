@@ -67,7 +67,7 @@ class FlowStatistics final : public Observer {
         .doc("energy stored by compression: sum of internal_energy * box / N");
     plan.table("total_momentum", static_cast<std::size_t>(scene.dimension))
         .unit(plane ? "kg/s" : "kg m/s")
-        .doc("sum of m u: one row, a column an axis; 2D: per metre of depth");
+        .doc("sum of m u: one row, one column per axis; in 2D per metre of depth");
     plan.scalar("density_min").unit("kg/m^3").doc("smallest density of a particle");
     plan.scalar("density_max").unit("kg/m^3").doc("largest density of a particle");
     plan.scalar("volume_min").doc("smallest volume of a particle over the mean, V / V0, V0 = box / N");

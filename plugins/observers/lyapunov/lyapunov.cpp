@@ -119,12 +119,12 @@ class Lyapunov final : public Observer {
   void parameters(ParameterList& list) override {
     list.integer("count", count_)
         .at_least(1.0)
-        .doc("how many particles are followed, spread evenly over the ids; all, if there are fewer");
+        .doc("number of particles that are followed, spread evenly over the ids; all particles if there are fewer");
     list.number("from", from_)
         .unit("s")
         .at_least(0.0)
-        .doc("time from which on averages are taken; before, vectors only turn to the direction that grows");
-    list.integer("seed", seed_).at_least(0.0).doc("of the choice of particles and of the first directions");
+        .doc("time at which averages begin; until then vectors only turn to the direction that grows");
+    list.integer("seed", seed_).at_least(0.0).doc("seed of the choice of particles and of the first directions");
   }
 
   void plan(const Scene&, ObserverPlan& plan) override {
@@ -133,11 +133,13 @@ class Lyapunov final : public Observer {
     plan.scalar("exponent")
         .unit("1/s")
         .doc(
-            "largest Lyapunov exponent: mean over particles, and over time since `from`; the interval must resolve the "
-            "flow");
-    plan.scalar("exponent_error").unit("1/s").doc("standard error of that mean, particles being independent");
-    plan.scalar("finite_time_mean").unit("1/s").doc("exponents of the particles since the sample before: their mean");
-    plan.scalar("finite_time_deviation").unit("1/s").doc("their standard deviation");
+            "largest Lyapunov exponent: mean over particles, and over time since `from`; correct only if the interval "
+            "between samples resolves the flow");
+    plan.scalar("exponent_error").unit("1/s").doc("standard error of the exponent, if the particles are independent");
+    plan.scalar("finite_time_mean").unit("1/s").doc("mean over particles of their exponents since the last sample");
+    plan.scalar("finite_time_deviation")
+        .unit("1/s")
+        .doc("standard deviation over particles of their exponents since the last sample");
   }
 
   void start(const ObserverContext& context) override {

@@ -39,12 +39,14 @@ class Mixing final : public Observer {
     list.number_or("cells", cells_, "auto")
         .at_least(2.0)
         .at_most(10000.0)
-        .doc("cells along the shortest edge of the box, an even number; auto: as many as are at least 5 spacings wide");
+        .doc(
+            "number of cells along the shortest edge of the box, even; auto: as many as possible that are at least 5 "
+            "spacings wide");
     list.number("mesh_spacing", mesh_spacing_)
         .unit("particle spacings")
         .at_least(1.0)
         .at_most(10.0)
-        .doc("distance of the nodes to which the colour is averaged, to find the line where it is 1/2");
+        .doc("distance of the nodes at which the colour is averaged, to find the line where it is 1/2");
   }
 
   void plan(const Scene& scene, ObserverPlan& plan) override {
@@ -58,7 +60,7 @@ class Mixing final : public Observer {
     plan.scalar("mixing_index").doc("0: colours apart, as at the start; 1: mixed (Lacey's index)");
     if (scene.dimension == 2) {
       plan.scalar("interface_length").unit("m").doc("length of the line where the averaged colour is 1/2");
-      plan.scalar("stretching").doc("that length over what it was at the start");
+      plan.scalar("stretching").doc("interface_length divided by its value at the start");
     }
     double shortest = scene.box[0];
     for (int d = 1; d < scene.dimension; ++d) shortest = std::min(shortest, scene.box[static_cast<std::size_t>(d)]);
@@ -164,4 +166,4 @@ class Mixing final : public Observer {
 }  // namespace mesogen
 
 MESOGEN_OBSERVER_PLUGIN(mesogen::Mixing, "mixing", "1.1.0",
-                        "How well the colour of the initial quarter has spread, and how long the line about it is")
+                        "How well the colour of the initial quarter has spread, and how long the line around it is")

@@ -40,7 +40,9 @@ class NematicStatistics final : public Observer {
     plan.scalar("tilt_rms").unit("rad").doc("root mean square angle between a particle's director and the mean one");
     plan.scalar("free_energy")
         .unit("J/m")
-        .doc("Landau-de Gennes free energy per metre of depth; NaN without constants");
+        .doc(
+            "Landau-de Gennes free energy per metre of depth; NaN if no plugin publishes bulk_A, bulk_C and "
+            "elastic_constant");
   }
 
   void sample(const ObserverContext& context, Sample& sample) override {

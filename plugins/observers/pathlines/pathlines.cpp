@@ -67,12 +67,12 @@ class Pathlines final : public Observer {
   void parameters(ParameterList& list) override {
     list.numbers("particles", particles_)
         .at_least(0.0)
-        .doc("ids of the particles, their numbers in the initial order; empty: `count` of them are chosen");
-    list.integer("count", count_).at_least(1.0).doc("how many particles to choose");
+        .doc("ids of the particles, which are their numbers in the initial order; empty: `count` particles are chosen");
+    list.integer("count", count_).at_least(1.0).doc("number of particles to choose");
     list.text("choice", choice_)
         .choices({"even", "random"})
-        .doc("even: spread evenly over the box; random: any, by `seed`");
-    list.integer("seed", seed_).at_least(0.0).doc("of the random choice");
+        .doc("even: spread evenly over the box; random: at random, by `seed`");
+    list.integer("seed", seed_).at_least(0.0).doc("seed of the random choice");
   }
 
   void plan(const Scene& scene, ObserverPlan& plan) override {
@@ -81,9 +81,9 @@ class Pathlines final : public Observer {
     plan.traces_particles();
     plan.table("path", static_cast<std::size_t>(scene.dimension))
         .unit("m")
-        .doc("a row a particle: where it is, without jumps at the faces of the box");
-    plan.table("distance", 1).unit("m").doc("a row a particle: length of its path since the start");
-    plan.table("id", 1).doc("a row a particle: which it is");
+        .doc("one row per particle: its position, without jumps at the faces of the box");
+    plan.table("distance", 1).unit("m").doc("one row per particle: length of its path since the start");
+    plan.table("id", 1).doc("one row per particle: its id");
   }
 
   void start(const ObserverContext& context) override {

@@ -70,7 +70,9 @@ requires(Dim == 2) class ActiveStress final : public Physics {
         .doc("zeta: above 0 extensile (pushers), below 0 contractile (pullers)");
     list.text("form", form_)
         .choices({"corrected", "conservative"})
-        .doc("divergence exact for linear Q, or with opposite forces on two particles: no momentum drift");
+        .doc(
+            "how the divergence of Q is summed. corrected: exact for linear Q; conservative: opposite forces on two "
+            "particles, so momentum does not drift");
   }
 
   void publish(Scene& scene) const override {

@@ -130,7 +130,7 @@ requires(Dim == 2) class BerisEdwards final : public Physics {
         .unit("N")
         .at_least(0)
         .required()
-        .doc("K: cost of gradients of Q (one constant)");
+        .doc("K: elastic constant, the energy cost of gradients of Q (one-constant approximation)");
     list.number("bulk.A", nematic_.a).unit("Pa").doc("second-order bulk coefficient; below 0 the fluid is nematic");
     list.number("bulk.B", nematic_.b).unit("Pa").doc("third-order bulk coefficient; drops out in 2D");
     list.number("bulk.C", nematic_.c)

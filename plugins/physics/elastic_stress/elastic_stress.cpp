@@ -101,7 +101,9 @@ requires(Dim == 2) class ElasticStress final : public Physics {
         return 0.25 * run.smoothing_length * run.smoothing_length * std::sqrt(run.constant("density") / k) /
                (2.0 + std::abs(lambda_));
       });
-    list.field("elastic_stress", Rank::matrix).unit("Pa").doc("Pi, of turning and stretching Q, row by row");
+    list.field("elastic_stress", Rank::matrix)
+        .unit("Pa")
+        .doc("Pi, the elastic stress of turning and stretching Q, row by row");
     list.pass("elastic stress")
         .reads({"order_tensor", "molecular_field"})
         .writes({"elastic_stress"})

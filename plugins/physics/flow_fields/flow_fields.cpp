@@ -30,7 +30,7 @@ requires(Dim == 2) class FlowFields final : public Physics {
         .unit("particle spacings")
         .at_least(1.0)
         .at_most(10.0)
-        .doc("spacing of the mesh of the stream function, about; waves shorter than 3 of it are left out");
+        .doc("approximate spacing of the mesh of the stream function; waves shorter than 3 mesh spacings are left out");
   }
 
   void declare(const Scene& scene, PassList& list) override {
@@ -40,7 +40,9 @@ requires(Dim == 2) class FlowFields final : public Physics {
     list.field("vorticity", Rank::scalar).unit("1/s").doc("omega = dv/dx - du/dy");
     list.field("stream_function", Rank::scalar)
         .unit("m2/s")
-        .doc("psi of the velocity beside its mean: u = d psi/dy, v = -d psi/dx; its mean is 0; in periodic boxes");
+        .doc(
+            "psi of the velocity without its mean: u = d psi/dy, v = -d psi/dx; the mean of psi is 0; only in periodic "
+            "boxes");
     list.pass("vorticity, for readers", Phase::observe)
         .reads({"velocity_gradient"})
         .writes({"vorticity"})

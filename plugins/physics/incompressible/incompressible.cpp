@@ -33,41 +33,43 @@ requires(Dim == 2) class Incompressible final : public Physics {
 
  public:
   void parameters(ParameterList& list) override {
-    list.number("density", fluid_.density).unit("kg/m3").above(0).required().doc("rho");
+    list.number("density", fluid_.density).unit("kg/m3").above(0).required().doc("rho: density");
     list.number("viscosity", fluid_.viscosity).unit("Pa s").above(0).required().doc("mu: dynamic viscosity");
     list.flag("inertia", fluid_.inertia)
         .doc(
-            "solve the momentum equation; or creeping (Stokes) flow, in which forces balance viscosity and friction at "
-            "every moment");
+            "true: solve the momentum equation. false: creeping (Stokes) flow, in which forces balance viscosity and "
+            "friction at every moment");
     list.number_or("expected_speed", expected_speed_, "auto")
         .unit("m/s")
         .at_least(0)
-        .doc("largest speed that the flow will reach, for forecasts of a run; auto: the initial one");
+        .doc("largest speed that the flow will reach, for forecasts of a run; auto: the largest speed at the start");
     list.number_or("sound_speed", sound_speed_, "auto")
         .unit("m/s")
         .above(0)
-        .doc("there is no sound here; taken, and without effect, so that a case for wcsph needs no other word changed");
+        .doc(
+            "without effect, because this flow has no sound; accepted, so that a case for wcsph works with no other "
+            "change than the type");
     list.number("mesh_spacing", mesh_spacing_)
         .unit("1")
         .at_least(1)
         .at_most(8)
         .doc(
-            "distance of the points of the mesh in particle spacings, about: as it fits the box and the Fourier "
-            "transform");
+            "approximate distance of the mesh points, in particle spacings; the actual distance fits the box and the "
+            "Fourier transform");
     list.integer("corrections", corrections_)
         .at_least(0)
         .at_most(10)
         .doc(
-            "how often, at most, what a fit of the mesh to the particles misses is spread again; less often where "
-            "particles are even");
+            "largest number of corrections of the fit of the mesh to the particles; each correction spreads again what "
+            "the fit misses. Fewer are made where particles are even");
     list.number("shift", shift_)
         .unit("1")
         .at_least(0)
         .at_most(100)
         .doc(
-            "how fast particles move to where they are sparse, in root mean square velocity gradients; what they carry "
-            "is re-evaluated where they go. Where a plugin sums over neighbours, close pairs are moved apart too, at a "
-            "tenth of this times the local gradient. 0: not at all");
+            "how fast particles move to sparse regions, in multiples of the root mean square velocity gradient; what "
+            "they carry is re-evaluated at the new place. If a plugin sums over neighbours, close pairs are also moved "
+            "apart, at a tenth of this value times the local gradient. 0: no shift");
   }
 
   void publish(Scene& scene) const override {
@@ -180,17 +182,17 @@ requires(Dim == 2) class Incompressible final : public Physics {
   }
 
   void fields(PassList& list) const {
-    list.field("velocity", Rank::vector).unit("m/s").doc("u, without divergence").shown().advanced_by_passes();
+    list.field("velocity", Rank::vector).unit("m/s").doc("u, free of divergence").shown().advanced_by_passes();
     list.field("velocity_gradient", Rank::matrix).unit("1/s").doc("d u_c / d x_d as component c * Dim + d");
-    list.field("acceleration", Rank::vector).unit("m/s2").doc("force densities of others over rho");
-    list.field("density", Rank::scalar).unit("kg/m3").doc("rho, the same everywhere");
+    list.field("acceleration", Rank::vector).unit("m/s2").doc("force densities of other plugins, divided by rho");
+    list.field("density", Rank::scalar).unit("kg/m3").doc("rho, the same for all particles");
     list.field("pressure", Rank::scalar).unit("Pa").doc("p at the midpoint of the step; its mean is 0");
-    list.field("shift_velocity", Rank::vector).unit("m/s").doc("artificial displacement per time");
+    list.field("shift_velocity", Rank::vector).unit("m/s").doc("artificial displacement of particles per time");
     if (!nematic_) return;
     list.field("order_tensor_gradient", Rank::matrix).unit("1/m").doc("d Q_c / d x_d as component c * Dim + d");
     list.field("order_tensor_laplacian", Rank::order_tensor)
         .unit("1/m2")
-        .doc("lap Q, slowed down where a step is long");
+        .doc("lap Q, reduced for waves that decay fast within a step, so that long steps are stable");
   }
 
   incompressible::Fluid fluid_;

@@ -22,12 +22,12 @@ void advise_on_inertia(const FlowChoice& flow, const AdviceContext& context, std
   if (!(reynolds > 0.0) || reynolds >= creeping) return;
   list.push_back(
       {"no_inertia",
-       formatted("the Reynolds number by the box is %.2g: the fluid's mass plays no part in this flow, but binds "
-                 "the step",
-                 reynolds),
+       formatted(
+           "the Reynolds number of the box is %.2g: the fluid's mass has no effect on this flow, but limits the step",
+           reynolds),
        {context.section + ".inertia=false"},
-       formatted("an artificial density, %.2g times the fluid's, and as many times fewer steps; growth rates are "
-                 "up to 5 %% too low",
+       formatted("an artificial density that is %.2g times the fluid's, and as many times fewer steps; growth rates "
+                 "are up to 5 %% too low",
                  flow.creeping_density / flow.density)});
 }
 
@@ -42,16 +42,16 @@ void advise_on_sound(const FlowChoice& flow, const AdviceContext& context, std::
     const bool free = context.binding != StepCause::sound && !context.step_is_given;
     list.push_back(
         {"sound_too_slow",
-         formatted("the sound, %.3g %s, is slower than this flow and its stresses ask for, %.3g %s%s", sound,
-                   unit.c_str(), automatic, unit.c_str(), free ? "; faster sound costs nothing up to there" : ""),
-         settings, formatted("density varies some %.2g times less", std::pow(automatic / sound, 2))});
+         formatted("the sound speed, %.3g %s, is lower than this flow and its stresses need, %.3g %s%s", sound,
+                   unit.c_str(), automatic, unit.c_str(), free ? "; up to that value a higher one costs nothing" : ""),
+         settings, formatted("the density varies some %.2g times less", std::pow(automatic / sound, 2))});
   }
   if (binds && automatic > 0.0 && sound > 1.4 * automatic)
     list.push_back(
         {"sound_too_fast",
-         formatted("the sound, %.3g %s, binds the step and is faster than this flow and its stresses ask for, "
-                   "%.3g %s",
-                   sound, unit.c_str(), automatic, unit.c_str()),
+         formatted(
+             "the sound speed, %.3g %s, limits the step and is higher than this flow and its stresses need, %.3g %s",
+             sound, unit.c_str(), automatic, unit.c_str()),
          settings, formatted("%.2g times fewer steps", sound / automatic)});
 }
 
@@ -71,10 +71,11 @@ void advise_on_another_flow(const FlowChoice& flow, const AdviceContext& context
   if (scene.scales.speed > 0.0) others = std::min(others, 0.2 * scene.spacing / scene.scales.speed);
   if (!(others > 4.0 * flow.step)) return;
   list.push_back({"no_sound",
-                  "sound or viscosity bind the step, and this box is periodic: an incompressible flow needs neither",
+                  "sound or viscosity limits the step, and this box is periodic: in an incompressible flow neither "
+                  "limits the step",
                   {context.section + ".type=incompressible"},
-                  "far fewer steps, and a flow solved to the accuracy of Fourier series; lost: sound, compression and "
-                  "the density's equation, walls"});
+                  "far fewer steps, and a flow as accurate as Fourier series. It has no sound, compression, equation "
+                  "of the density or walls"});
 }
 
 }  // namespace

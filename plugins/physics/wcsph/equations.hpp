@@ -25,10 +25,10 @@ inline void declare_fields(PassList& list, Fluid& fluid, bool filters) {
         fluid.sound().flows_at(fastest);
         return std::string();
       });
-  list.field("acceleration", Rank::vector).unit("m/s2").doc("Du/Dt; others may add to it");
+  list.field("acceleration", Rank::vector).unit("m/s2").doc("Du/Dt; other plugins may add to it");
   // Far beyond what even a badly chosen sound speed gives: the fluid is no longer weakly compressible.
   list.field("compression", Rank::scalar)
-      .doc("rho / rho0 - 1; a run in which it leaves -0.3 to 0.3 is stopped")
+      .doc("rho / rho0 - 1; a run is stopped if it is outside -0.3 to 0.3")
       .advanced_by("compression_rate")
       .watched_by([&fluid](double largest, double step_size) { return fluid.sound().after_step(largest, step_size); })
       .stays_within(
@@ -41,14 +41,14 @@ inline void declare_fields(PassList& list, Fluid& fluid, bool filters) {
   list.field("compression_midpoint", Rank::scalar).doc("rho / rho0 - 1 at the midpoint of the step");
   list.field("density", Rank::scalar)
       .unit("kg/m3")
-      .doc("rho at the midpoint of the step; with inertia = false about the artificial one");
+      .doc("rho at the midpoint of the step; with inertia = false, about the artificial density");
   list.field("pressure", Rank::scalar).unit("Pa").doc("p at the midpoint of the step");
   list.field("internal_energy", Rank::scalar)
       .unit("J/m3")
       .doc(
           "energy stored by compression, per volume at rest: rho0 times the integral of p / rho^2 over rho. A replay "
-          "makes it with the sound of the start");
-  list.field("shift_velocity", Rank::vector).unit("m/s").doc("artificial displacement per time");
+          "computes it with the sound speed of the start");
+  list.field("shift_velocity", Rank::vector).unit("m/s").doc("artificial displacement of particles per time");
 }
 
 template <class Real, int Dim>

@@ -30,19 +30,22 @@ void Fluid::parameters(ParameterList& list) {
       .unit("m/s")
       .above(0)
       .doc(
-          "c0; auto: 10 times the expected speed, stresses / (rho delta), and for free as high as the viscous step "
-          "allows. It rises during a run, and steps get shorter, where the largest |rho / rho0 - 1| exceeds 3 times "
-          "density_variation on average over the time of sound through the box, or 10 times at any moment, or the "
-          "flow exceeds half of c0. A c0 that is given, or any with a given time.step, stays");
+          "c0; auto: the largest of 10 times the expected speed, sqrt(stress / (rho delta)), and the speed up to which "
+          "viscosity, not sound, limits the step. With auto, c0 rises during a run, and steps get shorter, if the "
+          "largest |rho / rho0 - 1| exceeds 3 times density_variation on average over the time that sound takes "
+          "through the box, or 10 times at any moment, or if the flow is faster than half of c0. A c0 that is given "
+          "does not change, nor does any c0 with a given time.step");
   list.number_or("expected_speed", expected_speed_, "auto")
       .unit("m/s")
       .at_least(0)
-      .doc("largest speed that the flow will reach, for c0; auto: the initial one");
+      .doc("largest speed that the flow will reach, from which c0 is chosen; auto: the largest speed at the start");
   list.number("density_variation", density_variation_)
       .unit("1")
       .above(0)
       .at_most(0.1)
-      .doc("delta: relative density variation that c0 is chosen for");
+      .doc(
+          "delta: relative variation of the density for which c0 is chosen; a smaller one needs a higher c0 and so "
+          "shorter steps");
 }
 
 void Fluid::publish(Scene& scene) const {

@@ -23,16 +23,16 @@ class Wcsph final : public Physics {
     list.text("pressure_form", pressure_form_)
         .choices({"corrected", "difference", "conservative"})
         .doc(
-            "corrected: a sum of both particles' pressures with the corrected gradient, which evens particles out; "
-            "difference: exact for linear pressures, so that a uniform one moves nothing, but short kernels break "
-            "earlier; conservative: opposite forces on two particles, no momentum drift");
+            "corrected: sum of both particles' pressures with the corrected gradient, which evens particles out; "
+            "difference: exact for linear pressures, so that a uniform pressure moves nothing, but short kernels fail "
+            "earlier; conservative: opposite forces on two particles, so momentum does not drift");
     list.number("density_diffusion", diffusion_)
         .unit("1")
         .at_least(0)
         .at_most(0.5)
         .doc(
-            "delta of the density diffusion delta h c0 lap rho (delta-SPH); 0: none, and what alternates from particle "
-            "to particle drives a flow where none should be");
+            "strength delta of the density diffusion delta h c0 lap rho (delta-SPH). 0: none; a density that "
+            "alternates from particle to particle then drives a flow where there should be none");
     list.number("shift", shift_)
         .unit("1")
         .at_least(0)
@@ -41,8 +41,8 @@ class Wcsph final : public Physics {
     list.text("motion", motion_)
         .choices({"lagrangian", "eulerian"})
         .doc(
-            "lagrangian: particles go with the flow; eulerian: they stay, and fields change by -u . grad f: neighbours "
-            "are found once, and nothing needs a shift");
+            "lagrangian: particles move with the flow; eulerian: particles stay, and fields change by -u . grad f, so "
+            "neighbours are found only once and no shift is needed");
     for (const char* const key : {"density_filter", "filter_feedback", "viscosity_form", "shift_speed"})
       list.moved(key, "belongs to the published scheme: write type = \"wcsph_published\"");
   }

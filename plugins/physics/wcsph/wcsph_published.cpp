@@ -25,24 +25,28 @@ class WcsphPublished final : public Physics {
     fluid_.parameters(list);
     list.text("viscosity_form", viscosity_form_)
         .choices({"component", "monaghan_gingold"})
-        .doc("Laplacian of each velocity component, or the published radial form, which is 5 % too thin on a lattice");
+        .doc(
+            "component: Laplacian of each velocity component; monaghan_gingold: the published radial form, whose "
+            "viscosity is 5 % too low on a lattice");
     list.text("pressure_form", pressure_form_)
         .choices({"corrected", "difference", "conservative"})
-        .doc("as of wcsph; published: corrected");
+        .doc("as in wcsph; the published scheme has corrected");
     list.number("density_diffusion", diffusion_)
         .unit("1")
         .at_least(0)
         .at_most(0.5)
-        .doc("delta of the density diffusion delta h c0 lap rho (delta-SPH); published: none");
+        .doc("strength delta of the density diffusion delta h c0 lap rho (delta-SPH); the published scheme has none");
     list.number("density_filter", filter_)
         .unit("1")
         .at_least(0)
         .at_most(1)
         .doc(
-            "beta of the Shepard filter of the density that the pressure is made from; 0: none. What it hides from the "
-            "pressure grows");
+            "strength beta of the Shepard filter of the density from which the pressure is computed; 0: none. What the "
+            "filter hides from the pressure grows");
     list.flag("filter_feedback", feedback_)
-        .doc("put the filtered density back into the density; hides volume drift, for the study of failures");
+        .doc(
+            "true: put the filtered density back into the density. This hides the drift of volumes; for the study of "
+            "failures");
     list.number("shift", shift_)
         .unit("1")
         .at_least(0)
@@ -50,8 +54,12 @@ class WcsphPublished final : public Physics {
         .doc("strength of the artificial particle displacement that keeps particles evenly spread; 0: none");
     list.text("shift_speed", shift_speed_)
         .choices({"spread", "strain"})
-        .doc("speed that the shift scales with: spread of the velocities of neighbours, as published, or h |grad u|");
-    list.text("motion", motion_).choices({"lagrangian", "eulerian"}).doc("as of wcsph; published: lagrangian");
+        .doc(
+            "speed to which the shift is proportional. spread: spread of the neighbours' velocities, as published; "
+            "strain: h |grad u|");
+    list.text("motion", motion_)
+        .choices({"lagrangian", "eulerian"})
+        .doc("as in wcsph; the published scheme has lagrangian");
   }
 
   void publish(Scene& scene) const override { fluid_.publish(scene); }

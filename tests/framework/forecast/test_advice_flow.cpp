@@ -35,10 +35,11 @@ TEST(Advice, WithoutSoundStepsAreFewerAndTheErrorIsSmall) {
   ASSERT_TRUE(found);
   EXPECT_EQ(found->settings, std::vector<std::string>{"physics.flow.type=incompressible"});
   EXPECT_EQ(found->finding,
-            "sound or viscosity bind the step, and this box is periodic: an incompressible flow needs neither");
+            "sound or viscosity limits the step, and this box is periodic: in an incompressible flow neither limits "
+            "the step");
   EXPECT_EQ(found->gain,
-            "far fewer steps, and a flow solved to the accuracy of Fourier series; lost: sound, compression and "
-            "the density's equation, walls");
+            "far fewer steps, and a flow as accurate as Fourier series. It has no sound, compression, equation of the "
+            "density or walls");
   CaseRun before(text);
   before.run_to(end);
   CaseRun after(text, found->settings);
@@ -73,7 +74,7 @@ TEST(Advice, WithoutInertiaACreepingFlowTakesFewerSteps) {
   const auto found = advised(text, "no_inertia");
   ASSERT_TRUE(found);
   EXPECT_EQ(found->settings, std::vector<std::string>{"physics.flow.inertia=false"});
-  EXPECT_NE(found->finding.find("the Reynolds number by the box is 2.8e-06"), std::string::npos) << found->finding;
+  EXPECT_NE(found->finding.find("the Reynolds number of the box is 2.8e-06"), std::string::npos) << found->finding;
   EXPECT_NE(found->gain.find("growth rates are up to 5 % too low"), std::string::npos) << found->gain;
   CaseRun before = CaseRun::unstarted(text);
   CaseRun after(text, found->settings);
@@ -121,7 +122,7 @@ TEST(Advice, FasterSoundVariesDensityLess) {
   const auto found = advised(text, "sound_too_slow");
   ASSERT_TRUE(found);
   EXPECT_EQ(found->settings, std::vector<std::string>{"physics.flow.sound_speed=auto"});
-  EXPECT_EQ(found->gain, "density varies some 2.7 times less");
+  EXPECT_EQ(found->gain, "the density varies some 2.7 times less");
   CaseRun before(text);
   CaseRun after(text, found->settings);
   for (CaseRun* run : {&before, &after}) run->run_to(end);
@@ -137,7 +138,7 @@ TEST(Advice, FasterSoundThatIsFreeTakesNoMoreSteps) {
   const CaseText text = vortices("sound_speed = 15.0", 1.0);
   const auto found = advised(text, "sound_too_slow");
   ASSERT_TRUE(found);
-  EXPECT_NE(found->finding.find("faster sound costs nothing up to there"), std::string::npos) << found->finding;
+  EXPECT_NE(found->finding.find("up to that value a higher one costs nothing"), std::string::npos) << found->finding;
   CaseRun before(text);
   CaseRun after(text, found->settings);
   EXPECT_DOUBLE_EQ(after.stepper().control().at_rest(), before.stepper().control().at_rest());
@@ -165,7 +166,7 @@ TEST(Advice, LongerStepsAreAsGood) {
     const CaseText text = vortices().section("time", time);
     const auto found = advised(text, "short_step");
     ASSERT_TRUE(found);
-    EXPECT_EQ(found->gain, "up to 2 times fewer steps, and as good an answer");
+    EXPECT_EQ(found->gain, "up to 2 times fewer steps; the answer is as good");
     CaseRun before(text);
     CaseRun after(text, found->settings);
     for (CaseRun* run : {&before, &after}) run->run_to(end);

@@ -82,8 +82,9 @@ TEST(Advice, MoreParticlesInACoreMakeItRight) {
   const CaseText text = defects(26);
   const auto found = advised(text, "core_under_resolved");
   ASSERT_TRUE(found);
-  EXPECT_EQ(found->finding, "a defect's core, xi, is 1.3 spacings: the order in it is wrong by some 3.9 %");
-  EXPECT_EQ(found->gain, "it is wrong by some 1.7 %");
+  EXPECT_EQ(found->finding,
+            "the core of a defect, xi, is only 1.3 spacings: the order in cores is wrong by some 3.9 %");
+  EXPECT_EQ(found->gain, "the order in cores is wrong by some 1.7 %");
   CaseRun before(text);
   CaseRun after(text, found->settings);
   for (CaseRun* run : {&before, &after}) run->run_to(15.0);
@@ -122,7 +123,8 @@ TEST(Advice, ACoreThatNoSpacingResolvesIsTold) {
   ASSERT_NE(found, all.end());
   EXPECT_TRUE(found->settings.empty());
   EXPECT_NE(found->finding.find("is 0.00045 spacings"), std::string::npos) << found->finding;
-  EXPECT_EQ(found->gain, "cores of 2 spacings take 3.2e+10 particles: a smaller box or larger elastic constant helps");
+  EXPECT_EQ(found->gain,
+            "cores of 2 spacings need 3.2e+10 particles; instead, choose a smaller box or a larger elastic constant");
 }
 
 TEST(Advice, FewerParticlesInACoreAreEnough) {
@@ -176,9 +178,8 @@ TEST(Advice, BelowZeroInBulkOrderLasts) {
   const CaseText text = disordered(0.03, "{ A = 1.0, C = 0.5 }");
   const auto found = advised(text, "no_order");
   ASSERT_TRUE(found);
-  EXPECT_EQ(
-      found->finding,
-      "physics.nematic.bulk.A, 1 Pa, is not below 0: the order decays, and with it all that the activity acts on");
+  EXPECT_EQ(found->finding,
+            "physics.nematic.bulk.A is 1 Pa, not below 0: the order decays, so the activity has nothing to act on");
   EXPECT_EQ(found->settings, std::vector<std::string>{"physics.nematic.bulk.A=-1"});
   EXPECT_EQ(found->gain, "the nematic keeps an order of 1");
   CaseRun before(text);

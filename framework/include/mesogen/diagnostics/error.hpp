@@ -8,7 +8,7 @@
 
 namespace mesogen {
 
-/// What the command answers to its caller.
+/// Exit status of the command.
 enum class ExitCode : int {
   done = 0,
   run_failed = 1,
@@ -17,7 +17,7 @@ enum class ExitCode : int {
   interrupted = 130,
 };
 
-/// An error meant for the user: says where, what, and how to mend it.
+/// An error for the user. The message says what is wrong, where, and how to mend it.
 class MESOGEN_EXPORT Error : public std::runtime_error {
  public:
   Error(ExitCode code, const std::string& message) : std::runtime_error(message), code_(code) {}
@@ -28,8 +28,8 @@ class MESOGEN_EXPORT Error : public std::runtime_error {
   ExitCode code_;
 };
 
-/// A plugin refuses the value of a parameter of its own: the message then has the parameter's place in the case before
-/// it. `key` is the parameter's name, "bulk.A".
+/// A plugin refuses the value of one of its own parameters. The framework puts the parameter's place in the case before
+/// the message. `key` is the name of the parameter: "bulk.A".
 class MESOGEN_EXPORT BadParameter : public Error {
  public:
   BadParameter(std::string key, const std::string& message)

@@ -6,9 +6,9 @@
 
 namespace mesogen::exec {
 
-/// Cuts [0, count) into blocks that threads share out. A loop that calculates goes block by block: compilers may round
-/// differently in the vector loop and in the remainder behind it (where they contract to fused multiply-adds), and so
-/// which is which must not depend on how many threads there are.
+/// Cuts [0, count) into blocks, which threads share out. Loops that calculate go block by block: a compiler may round
+/// differently in its vector loop and in the remainder loop behind it (where it contracts to fused multiply-adds).
+/// Blocks make the choice between the two independent of the number of threads.
 class Blocks {
  public:
   explicit Blocks(Index count) : count_(count) {}
@@ -17,8 +17,8 @@ class Blocks {
   [[nodiscard]] Index end(Index block) const { return std::min<Index>(count_, (block + 1) * size); }
 
  private:
-  // A multiple of all vector widths, or else every block had a remainder; small, so that few particles give every
-  // thread something to do.
+  // A multiple of all vector widths, so that only the last block has a remainder. Small, so that every thread has work
+  // even with few particles.
   static constexpr Index size = 64;
   Index count_;
 };

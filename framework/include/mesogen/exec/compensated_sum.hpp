@@ -4,8 +4,8 @@
 
 namespace mesogen::exec {
 
-/// A sum in double whose rounding error does not grow with the number of terms (Neumaier, ZAMM 54, 39, 1974). For sums
-/// that cancel, such as the total momentum of a fluid as a whole at rest.
+/// A sum in double precision whose rounding error does not grow with the number of terms (Neumaier, ZAMM 54, 39, 1974).
+/// For sums whose terms cancel, such as the total momentum of a fluid that is at rest as a whole.
 class CompensatedSum {
  public:
   void add(double term) {

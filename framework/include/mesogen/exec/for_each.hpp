@@ -11,10 +11,10 @@
 /// Where the passes of a run are executed.
 namespace mesogen::exec {
 
-/// Host (OpenMP) or a CUDA stream. Only device pointers and a stream cross between libraries; each library launches
+/// The host (OpenMP) or a CUDA stream. Only device pointers and a stream pass between libraries; each library launches
 /// its own device code.
 struct Space {
-  void* stream = nullptr;  ///< cudaStream_t, when on a device
+  void* stream = nullptr;  ///< cudaStream_t if `device`, else null
   bool device = false;
 };
 
@@ -26,9 +26,10 @@ __global__ void run_for_each(Index count, Function function) {
 }
 #endif
 
-/// function(i) for every i in [0, count), in any order. `function` is trivially copyable and writes only what belongs
-/// to i, so the result does not depend on the order. On the host it may throw; what the first one threw comes out, and
-/// some are left out then. `what`: of the loop, for the error if it cannot start on a device.
+/// Calls function(i) for every i in [0, count), in any order and in parallel. `function` must be trivially copyable and
+/// write only data of particle i, so that the result does not depend on the order. On the host `function` may throw:
+/// the first exception is thrown again here, and some i may then be left out. `what` names the loop in the error if it
+/// cannot start on a device.
 template <class Function>
 void for_each(const Space& space, Index count, const Function& function,
               [[maybe_unused]] const char* what = "a loop over particles") {

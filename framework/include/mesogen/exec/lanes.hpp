@@ -12,11 +12,11 @@
 #include <experimental/simd>
 #endif
 
-/// The lane type of a pair pass: how many neighbours one instruction handles.
+/// The lane type of a pair pass. It says how many neighbours one instruction handles.
 ///
-/// Passes are written once over a lane type. On the CPU it is a SIMD pack of the width this library was compiled for;
-/// on a device, and wherever `Scalar` is asked for, it is the number itself. The functions here are the few operations
-/// beside + - * / that a pass needs.
+/// A pass is written once, for any lane type. On the CPU the lane type is a SIMD pack of the width for which this
+/// library is compiled. On a device, and wherever a scalar is asked for, it is the number itself. The functions here
+/// are the few operations beside + - * / that a pass needs.
 namespace mesogen::exec {
 
 #ifndef __CUDACC__
@@ -34,8 +34,8 @@ template <class Real, class Abi>
 [[gnu::always_inline]] inline void store(const stdx::simd<Real, Abi>& lanes, Real* to) {
   lanes.copy_to(to, stdx::element_aligned);
 }
-/// The same lanes, and the compiler does not know where they come from: so it has no reason to take a number that all
-/// of them share apart and put it together again in every turn of a loop.
+/// Returns the same lanes, but hides from the compiler where they come from. Otherwise, if all lanes hold the same
+/// number, the compiler takes the number out of the pack and fills the pack again in every turn of a loop.
 template <class Real, class Abi>
 [[gnu::always_inline]] inline stdx::simd<Real, Abi> in_register(const stdx::simd<Real, Abi>& lanes) {
   using Vector [[gnu::vector_size(sizeof(lanes))]] = Real;
@@ -54,10 +54,10 @@ template <class Real, class Abi>
 [[gnu::always_inline]] inline stdx::simd<Real, Abi> square_root(const stdx::simd<Real, Abi>& x) {
   return stdx::sqrt(x);
 }
-/// The given lanes where x < limit, zero elsewhere.
+/// Returns `given` in the lanes where x < limit, and zero in the others.
 ///
-/// By intrinsics where masks are registers of their own: assignment through such a mask does nothing when libstdc++ 12
-/// is compiled by clang.
+/// Uses intrinsics where the processor has mask registers (AVX-512): compiled by clang, an assignment through such a
+/// mask does nothing with libstdc++ 12.
 template <class Real, class Abi>
 [[gnu::always_inline]] inline stdx::simd<Real, Abi> where_less(const stdx::simd<Real, Abi>& x,
                                                                const stdx::simd<Real, Abi>& limit,
@@ -78,7 +78,7 @@ template <class Real, class Abi>
   return result;
 }
 
-/// sum, and the given lanes added where x < limit.
+/// Returns sum + given in the lanes where x < limit, and sum in the others.
 template <class Real, class Abi>
 [[gnu::always_inline]] inline stdx::simd<Real, Abi> add_where_less(const stdx::simd<Real, Abi>& x,
                                                                    const stdx::simd<Real, Abi>& limit,
@@ -100,8 +100,8 @@ template <class Real, class Abi>
   return sum + where_less(x, limit, given);
 }
 
-/// sqrt(x) and 1 / sqrt(x) to the rounding of Real: the hardware's estimate and Newton's iteration where that beats a
-/// square root and a division.
+/// Sets root = sqrt(x) and inverse = 1 / sqrt(x), both to the rounding of Real. Uses the hardware's estimate and
+/// Newton's iteration where these are faster than a square root and a division.
 template <class Real, class Abi>
 [[gnu::always_inline]] inline void find_roots(const stdx::simd<Real, Abi>& x, stdx::simd<Real, Abi>& root,
                                               stdx::simd<Real, Abi>& inverse) {
@@ -165,7 +165,7 @@ template <int Count, class Lane, class Real>
 
 #endif
 
-/// The same of lanes that are numbers themselves.
+/// The same functions for lanes that are plain numbers.
 MESOGEN_HOST_DEVICE inline void load(const float* from, float& lane) { lane = *from; }
 MESOGEN_HOST_DEVICE inline void load(const double* from, double& lane) { lane = *from; }
 MESOGEN_HOST_DEVICE inline void store(float lane, float* to) { *to = lane; }

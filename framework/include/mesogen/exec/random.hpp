@@ -4,8 +4,8 @@
 
 #include "mesogen/export.hpp"
 
-/// Random numbers without a state: each depends only on a seed, an id and a stream, so neither the order in which
-/// particles are visited nor the number of threads matters.
+/// Random numbers without a state. Each depends only on a seed, an id and a stream. It therefore depends neither on the
+/// order in which particles are visited nor on the number of threads.
 namespace mesogen::exec {
 
 /// Four random words from a counter and a key: Philox4x32-10.
@@ -31,14 +31,14 @@ struct Philox {
   }
 };
 
-/// 64 random bits.
+/// 64 random bits. `stream` tells apart several numbers of the same particle.
 MESOGEN_HOST_DEVICE constexpr std::uint64_t random_bits(std::int64_t seed, std::int64_t id, std::int64_t stream) {
   const Philox random(static_cast<std::uint64_t>(seed), static_cast<std::uint64_t>(id),
                       static_cast<std::uint64_t>(stream));
   return (std::uint64_t{random.word[1]} << 32) | random.word[0];
 }
 
-/// Uniform in [0, 1), a multiple of 2^-53.
+/// Uniform in [0, 1), a multiple of 2^-53. The arguments are those of random_bits.
 MESOGEN_HOST_DEVICE constexpr double random_uniform(std::int64_t seed, std::int64_t id, std::int64_t stream) {
   return static_cast<double>(random_bits(seed, id, stream) >> 11) * 0x1p-53;
 }

@@ -6,10 +6,10 @@
 
 namespace mesogen::exec {
 
-/// As long as it lives, numbers too small for full precision (below 1.2e-38 in single precision) are zero on this
-/// thread. A processor takes a hundred times as long over one, and particles on a lattice make many: a moment of fourth
-/// order of two that lie side by side. `for_each` and the search for the largest have it, on all threads. Where there
-/// is no such switch it does nothing.
+/// While an object of this class lives, this thread treats numbers too small for full precision (below 1.2e-38 in
+/// single precision) as zero. A processor needs a hundred times as long for such a number, and particles on a lattice
+/// make many: the fourth-order moment of two particles side by side is one. `for_each` and the search for the largest
+/// value use this class on all threads. Where the processor has no such switch, the class does nothing.
 class FlushSubnormals {
 #if defined(__SSE__) && !defined(__CUDACC__)
  public:

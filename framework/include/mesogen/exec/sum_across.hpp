@@ -4,18 +4,18 @@
 
 #include "mesogen/exec/lanes.hpp"
 
-/// Sums over the lanes of as many packs as a pack has lanes.
+/// Sums over the lanes of several packs: as many packs as a pack has lanes.
 namespace mesogen::exec {
 
 #ifndef __CUDACC__
 
 namespace detail {
 
-/// Which lanes of two packs are added up: by lane of the result, the first of two; the second lies some lanes behind it
-/// in the same pack. Lanes of the second pack count from Width. Each needs one instruction a side, at most two.
+/// Which lanes of two packs are added: for lane n of the result, the first of two lanes; the second is a fixed number
+/// of lanes behind it in the same pack. Lanes of the second pack count from Width. At most two instructions per pack.
 template <int Width, int InQuarter>  // InQuarter: lanes in 128 bits
 struct Pairing {
-  /// Within 128 bits, `Unit` lanes of the one and of the other pack in turn.
+  /// Within 128 bits: alternately `Unit` lanes of the first pack and `Unit` lanes of the second.
   template <int Unit>
   static constexpr int within(int n) {
     const int at = n % InQuarter;
@@ -35,8 +35,8 @@ template <int (*First)(int), int Apart, class Vector, int... n>
   return __builtin_shufflevector(a, b, First(n)...) + __builtin_shufflevector(a, b, (First(n) + Apart)...);
 }
 
-/// Of `Count` packs: parts of their sums, in the order of the packs within 128 bits or more. Once Count is the width
-/// each lane holds the sum of its pack.
+/// Partial sums of `Count` packs, in the order of the packs within 128 bits or more. If Count is the width, each lane
+/// of the result holds the whole sum of its pack.
 template <int Count, class Vector, class Real>
 [[gnu::always_inline]] inline Vector sum_across(const Real* packs) {
   constexpr int width = sizeof(Vector) / sizeof(Real);
@@ -62,8 +62,8 @@ template <int Count, class Vector, class Real>
 
 }  // namespace detail
 
-/// Lane n of the result is the sum over the lanes of packs[n]; the order of the additions is fixed. Half as many
-/// instructions as summing one pack after the other, and the result is a pack again.
+/// Lane n of `result` is the sum over the lanes of packs[n]; the order of the additions is fixed. This needs half as
+/// many instructions as one sum per pack, and the result is again a pack.
 template <class Real, class Abi, int Width>
 [[gnu::always_inline]] inline void sum_across(const Real (&packs)[Width][Width], stdx::simd<Real, Abi>& result) {
   static_assert(sizeof(result) == Width * sizeof(Real) && Width * sizeof(Real) >= 16 && Width * sizeof(Real) <= 64);
@@ -76,7 +76,7 @@ template <class Real, class Abi, int Width>
 
 #endif
 
-/// The same of lanes that are numbers themselves.
+/// The same for lanes that are plain numbers.
 template <class Real>
 MESOGEN_HOST_DEVICE inline void sum_across(const Real (&packs)[1][1], Real& result) {
   result = packs[0][0];

@@ -6,7 +6,7 @@
 
 namespace mesogen::exec {
 
-/// An int known to the compiler (std::integral_constant, for devices too).
+/// An int that the compiler knows (like std::integral_constant, but also on devices).
 template <int Value>
 struct Number {
   static constexpr int value = Value;
@@ -22,8 +22,8 @@ template <class Action, int... Numbers>
 
 }  // namespace detail
 
-/// action(0), action(1), ..., action(Count - 1), written out one by one. In the sums of a pair pass this is what lets
-/// the compiler keep an array in registers: a loop that it unrolls later does not.
+/// Calls action(0), action(1), ..., action(Count - 1), written out one by one. In the sums of a pair pass the compiler
+/// can then keep an array in registers. It cannot if it unrolls a loop by itself, because it does so later.
 template <int Count, class Action>
 [[gnu::always_inline]] MESOGEN_HOST_DEVICE inline void unroll(Action&& action) {
   detail::unroll(action, std::make_integer_sequence<int, Count>{});

@@ -11,10 +11,10 @@
 
 namespace mesogen::exec {
 
-/// Shares [0, count) out among threads. Each has a part of its own, whose data its cache may still hold, and takes it
-/// piece by piece; who is done takes pieces of the others. So nobody waits long for a thread that is slowed, by another
-/// program or by whoever shares its core. Who takes what is a matter of time: for work whose results do not depend on
-/// it.
+/// Shares [0, count) out among threads. Each thread has its own part, whose data its cache may still hold, and takes
+/// this part piece by piece. A thread that is done takes pieces of the other threads. So no thread waits long for a
+/// thread that is slowed, by another program or by a thread on the same core. Which thread takes which piece depends on
+/// timing: use this class only for work whose results do not depend on it.
 class WorkStealing {
  public:
   explicit WorkStealing(Index count)
@@ -28,7 +28,7 @@ class WorkStealing {
     }
   }
 
-  /// work(i) until nothing is left, by each thread of a team.
+  /// Calls work(i) until no i is left. Each thread of a team calls `take` once.
   template <class Work>
   void take(const Work& work) {
     const auto own = static_cast<std::size_t>(omp_get_thread_num());

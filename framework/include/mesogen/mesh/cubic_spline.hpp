@@ -4,12 +4,12 @@
 
 namespace mesogen::mesh {
 
-/// The cubic B-spline of particle-mesh methods (Hockney and Eastwood, Computer Simulation Using Particles, 1988): a
-/// particle and four points a side share weights that add up to 1, are smooth, and also carry the first moment.
+/// The cubic B-spline of particle-mesh methods (Hockney and Eastwood, Computer Simulation Using Particles, 1988): four
+/// points per axis share a particle's value; the weights are smooth, add up to 1 and keep the first moment.
 struct CubicSpline {
   static constexpr int points = 4;
 
-  /// Weights of the four points from the one below the particle's cell on; `fraction` is where in its cell it stands.
+  /// Weights of the four points, the first below the particle's cell; `fraction`: position in the cell, 0 to 1.
   static void weights(double fraction, double (&weight)[points]) {
     const double f = fraction;
     const double g = 1.0 - f;
@@ -19,7 +19,7 @@ struct CubicSpline {
     weight[3] = f * f * f / 6.0;
   }
 
-  /// What spreading leaves of a wave, and likewise interpolating it: sinc^4 of half the wave number times the spacing.
+  /// Factor of a wave's amplitude when spread, and when interpolated: sinc^4(half wave number times mesh spacing).
   static double transform(double half_phase) {
     if (std::abs(half_phase) < 1e-8) return 1.0;
     const double sinc = std::sin(half_phase) / half_phase;

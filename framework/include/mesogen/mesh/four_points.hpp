@@ -8,7 +8,7 @@ namespace mesogen::mesh {
 
 #ifndef __CUDACC__
 
-/// Numbers at the four points in a row that a particle touches, as one pack.
+/// Numbers at the four points in a row that a particle uses, as one pack.
 using FourPoints = std::experimental::fixed_size_simd<double, 4>;
 
 [[gnu::always_inline]] inline FourPoints load(const double* from) {
@@ -17,14 +17,14 @@ using FourPoints = std::experimental::fixed_size_simd<double, 4>;
 [[gnu::always_inline]] inline void store(const FourPoints& numbers, double* to) {
   numbers.copy_to(to, std::experimental::element_aligned);
 }
-/// Their sum, added in pairs.
+/// The sum of the four numbers, added in pairs.
 [[gnu::always_inline]] inline double sum(const FourPoints& numbers) {
   return (numbers[0] + numbers[1]) + (numbers[2] + numbers[3]);
 }
 
 #else
 
-/// The same where nvcc compiles: the mesh is the host's.
+/// The same for nvcc. The mesh is used on the host only.
 struct FourPoints {
   double number[4];
   FourPoints(double all = 0.0) : number{all, all, all, all} {}

@@ -11,8 +11,8 @@ namespace mesogen::mesh {
 
 using Complex = std::complex<double>;
 
-/// The discrete Fourier transform of real periodic fields in one to three dimensions, by FFTW. Lines are transformed
-/// one by one, shared out among the threads: the same bits for any number of them, and in every run.
+/// The discrete Fourier transform of real periodic fields in one to three dimensions, by FFTW. Threads share the lines,
+/// and each line is transformed by itself. Results are the same bits for any number of threads, and in every run.
 class MESOGEN_EXPORT FourierTransform {
  public:
   template <int Dim>
@@ -22,9 +22,9 @@ class MESOGEN_EXPORT FourierTransform {
   FourierTransform& operator=(const FourierTransform&) = delete;
   ~FourierTransform();
 
-  /// modes(k) = 1/N sum_x values(x) exp(-i k x): Grid::mode_count() of them.
+  /// modes(k) = 1/N sum_x values(x) exp(-i k x). Writes Grid::mode_count() modes.
   void forward(const double* values, Complex* modes);
-  /// values(x) = sum_k modes(k) exp(i k x). The modes are used as room to work in: they hold nothing afterwards.
+  /// values(x) = sum_k modes(k) exp(i k x). Overwrites `modes`, which hold nothing of use afterwards.
   void backward(Complex* modes, double* values);
 
  private:

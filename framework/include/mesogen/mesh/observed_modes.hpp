@@ -11,25 +11,25 @@
 
 namespace mesogen::mesh {
 
-/// Throws Error(bad_case) with `what` where the box has walls: modes are those of periodic fields.
+/// Throws Error(bad_case) with the message `what` if the box has walls: modes exist only for periodic fields.
 inline void needs_periodic_box(const Scene& scene, const char* what) {
   for (int d = 0; d < scene.dimension; ++d)
     if (!scene.periodic[static_cast<std::size_t>(d)]) throw Error(ExitCode::bad_case, what);
 }
 
-/// Fourier modes of the fields that an observer sees, in a periodic box: fitted to the values of the particles, with
-/// what the spreading to a mesh takes away given back (mesh/particle_spectrum.hpp). They go as far as two thirds of
-/// what the mesh can tell apart.
+/// Fourier modes of the fields that an observer sees, in a periodic box. They are fitted to the values of the
+/// particles, and what spreading to the mesh takes away is restored (mesh/particle_spectrum.hpp). They reach two thirds
+/// of the largest wave number that the mesh can represent.
 template <int Dim>
 class ObservedModes {
  public:
   using Complex = mesh::Complex;
   using Modes = std::vector<Complex>;
 
-  /// `mesh_spacing`: distance of the points of the mesh, in particle spacings, about.
+  /// `mesh_spacing`: approximate distance of the mesh points, in particle spacings.
   ObservedModes(const Scene& scene, double mesh_spacing) : spectrum_(grid_of(scene, mesh_spacing)) {}
 
-  /// Where the particles are; what follows is about them.
+  /// Takes the positions of the particles. `modes` then uses these positions.
   void locate(const ById& particles) {
     const auto points = particles.positions<Dim>();
     std::array<std::vector<double>, Dim> position;
@@ -42,8 +42,8 @@ class ObservedModes {
     spectrum_.locate(at, static_cast<Index>(points.size()));
   }
 
-  /// Modes of the first `Count` components of a field. Throws Error(run_failed) where a point of the mesh has hardly
-  /// any particle about it.
+  /// Returns the modes of the first `Count` components of a field. Throws Error(run_failed) if hardly any particle is
+  /// near a point of the mesh.
   template <int Count>
   std::array<Modes, Count> modes(const ById& particles, std::string_view field) {
     std::array<std::vector<double>, Count> values;
@@ -62,9 +62,9 @@ class ObservedModes {
     return modes;
   }
 
-  /// The share of a field's mean square about its mean, over the particles, that lies beyond modes which hold
-  /// `mean_square` of it. NaN where the field is the same everywhere, to rounding. On disordered particles means over
-  /// particles and over the box differ, so a share below 0.01 or so may be none, and come out below 0.
+  /// Returns the share of a field's variance over the particles that modes do not hold. `mean_square` is what the modes
+  /// hold of it. Returns NaN if the field is uniform up to rounding. On disordered particles, means over particles and
+  /// over the box differ: a share below some 0.01 may then mean none, and the result may be below 0.
   template <int Count>
   static double share_beyond(const ById& particles, std::string_view field, double mean_square) {
     constexpr double rounding = 1e-26;

@@ -16,12 +16,12 @@
 
 namespace mesogen::mesh {
 
-/// Between particles and the points of a grid: spreads numbers of particles to the points about them, and interpolates
-/// numbers at points to particles, both with cubic B-splines.
+/// Spreads numbers of particles to the points of a grid near them, and interpolates numbers at points to particles,
+/// both with cubic B-splines.
 ///
-/// Particles are kept by the cell of the grid in which they stand. Slabs of so many layers along the last axis are
-/// added up each by itself, and then together, in an order that depends on positions and storage alone: the same bits
-/// for any number of threads.
+/// Particles are sorted by the grid cell in which they are. The grid is cut into slabs, each a number of layers along
+/// the last axis. Each slab is summed by itself, and then the slabs are added. The order of the additions depends only
+/// on positions and storage, so results are the same bits for any number of threads.
 template <int Dim>
 class ParticleMesh {
   static_assert(Dim == 2 || Dim == 3);
@@ -41,8 +41,8 @@ class ParticleMesh {
   [[nodiscard]] const Grid<Dim>& grid() const { return grid_; }
   [[nodiscard]] Index count() const { return static_cast<Index>(located_.size()); }
 
-  /// Where the particles are, m; outside the box, their images inside it. `origin`: where the first point of the grid
-  /// is, m. Not to be called with what is not finite.
+  /// Takes the positions of the particles, m. Of a particle outside the box, its periodic image inside is used.
+  /// `origin`: position of the first point of the grid, m. All positions must be finite.
   void locate(const std::array<const double*, Dim>& position, Index count, const std::array<double, Dim>& origin = {}) {
     origin_ = origin;
     located_.resize(static_cast<std::size_t>(count));
@@ -52,8 +52,8 @@ class ParticleMesh {
     place_rows(position);
   }
 
-  /// out[c](x) = sum over particles of weight(x - x_i) value_c(i), where value(i, numbers) gives the `Count` numbers of
-  /// a particle.
+  /// Sets out[c](x) = sum over particles of weight(x - x_i) value_c(i). value(i, numbers) must write the `Count`
+  /// numbers of particle i.
   template <int Count, class Value>
   void spread(const Value& value, const std::array<double*, Count>& out) {
     const int layers = grid_.points[last];
@@ -73,12 +73,12 @@ class ParticleMesh {
     for (int row = 0; row < grid_.row_count(); ++row) put_together<Count>(row, field, layer, out);
   }
 
-  /// take(i, numbers) for every particle with what the `Count` fields on the grid are there.
+  /// Calls take(i, numbers) for every particle, with the values that the `Count` fields on the grid have there.
   template <int Count, class Take>
   void gather(const std::array<const double*, Count>& from, const Take& take) {
     const int columns = grid_.points[0];
     const int rows = grid_.row_count();
-    // Rows with their first points once more behind the last.
+    // Each row is followed by a copy of its first points.
     const std::ptrdiff_t field = static_cast<std::ptrdiff_t>(line_) * rows;
     lines_.resize(static_cast<std::size_t>(field * Count));
 #pragma omp parallel for schedule(static) if (grid_.point_count() >= parallel_threshold)
@@ -116,9 +116,9 @@ class ParticleMesh {
 
   struct Located {
     Index particle;
-    int column;                 // of the first point that it touches, along the first axis
-    int row;                    // likewise along the others, as Grid::row_coordinates counts them
-    double weight[Dim][reach];  // of the points from that on
+    int column;                 // of the first point that it uses, along the first axis
+    int row;                    // the same along the other axes, numbered as by Grid::row_coordinates
+    double weight[Dim][reach];  // of the points from the first on
   };
 
   struct InRow {
@@ -126,7 +126,7 @@ class ParticleMesh {
     int column;
   };
 
-  /// Weight of the r-th row that a particle touches.
+  /// Weight of the r-th row that a particle uses.
   [[gnu::always_inline]] static double across(const Located& where, int r) {
     if constexpr (Dim == 2) return where.weight[1][r];
     return where.weight[1][r % reach] * where.weight[last][r / reach];
@@ -137,10 +137,10 @@ class ParticleMesh {
     return begin_[static_cast<std::size_t>(layer * (Dim == 3 ? grid_.points[1] : 1))];
   }
 
-  /// How many cells a coordinate is from the origin.
+  /// Distance of a coordinate from the origin, in cells.
   [[nodiscard]] double in_cells(int d, double x) const { return (x - origin_[d]) * cells_per_length_[d]; }
 
-  /// The first of the four points along an axis that a coordinate touches: the one below its cell.
+  /// The first of the four points that a coordinate uses along an axis: the one below its cell.
   [[nodiscard]] int first_point(int d, double cell) const {
     if (cell >= 1.0 && cell <= grid_.points[d]) return static_cast<int>(cell) - 1;
     const std::int64_t points = grid_.points[d];
@@ -164,11 +164,11 @@ class ParticleMesh {
     return where;
   }
 
-  // A counting sort. Each thread counts and moves a part of the particles that follow each other: whatever the parts,
-  // particles of a row stay in the order of storage.
+  // A counting sort. Each thread counts and moves particles that are contiguous in storage. Therefore particles of one
+  // row stay in the order of storage, whatever the number of threads.
   void sort_by_row(const std::array<const double*, Dim>& position, Index count) {
     const auto rows = static_cast<std::size_t>(grid_.row_count());
-    std::vector<std::vector<Index>> next;  // by thread, where its next particle of a row goes
+    std::vector<std::vector<Index>> next;  // by thread and row: place of its next particle
 #pragma omp parallel
     {
       const auto thread = static_cast<std::size_t>(omp_get_thread_num());
@@ -200,7 +200,7 @@ class ParticleMesh {
     }
   }
 
-  // Within each row a counting sort by column: those of a column stay in the order of storage.
+  // A counting sort by column within each row. Particles of one column stay in the order of storage.
   void place_rows(const std::array<const double*, Dim>& position) {
     const int rows = grid_.row_count();
 #pragma omp parallel
@@ -242,8 +242,8 @@ class ParticleMesh {
     }
   }
 
-  // A row of points from all slabs with layers whose particles reach it, across the face too; what lies beyond the last
-  // point of a line or of a layer belongs to the first ones.
+  // Adds one row of points from all slabs whose particles reach it, also across the periodic face. Values stored beyond
+  // the last point of a line or of a layer belong to the first points.
   template <int Count>
   void put_together(int row, std::ptrdiff_t field, std::ptrdiff_t layer, const std::array<double*, Count>& out) const {
     std::array<int, Dim> at_row{};
@@ -282,7 +282,7 @@ class ParticleMesh {
     }
   }
 
-  /// The rows of lines_ that the particles of a row touch, the second axis fastest.
+  /// The rows of lines_ that particles of a row use, the second axis fastest.
   void rows_above(int row, const double* (&line)[reach_of_rows]) const {
     std::array<int, Dim> at_row{};
     grid_.row_coordinates(row, at_row);
@@ -295,12 +295,12 @@ class ParticleMesh {
   }
 
   Grid<Dim> grid_;
-  int line_;            // points in a row, and those that lie beyond its end
-  int lines_in_layer_;  // likewise
+  int line_;            // points in a row, and those stored beyond its end
+  int lines_in_layer_;  // the same for lines
   std::array<double, Dim> cells_per_length_{};
   std::array<double, Dim> origin_{};
   std::vector<Located> located_;  // by cell
-  std::vector<InRow> in_row_;     // by row, as they are stored within one
+  std::vector<InRow> in_row_;     // by row, then in the order of storage
   std::vector<int> row_of_;
   std::vector<Index> begin_;  // of each row's particles in located_, and one more
   std::vector<double> slab_;

@@ -10,9 +10,9 @@
 
 namespace mesogen::mesh {
 
-/// Fourier modes of what particles carry, and what modes are at particles. Modes beyond the cutoff, two thirds of what
-/// the grid can tell apart along an axis, are none: products of two fields keep no false ones, and what spreading takes
-/// from a wave can be given back (by at most 2.1 an axis).
+/// Fourier modes of what particles carry, and values of modes at particles. Modes beyond a cutoff, two thirds of the
+/// largest wave number of the grid along an axis, are zero. So a product of two fields has no aliased modes, and what
+/// spreading takes from a wave can be restored (by a factor of at most 2.1 per axis).
 template <int Dim>
 class ParticleSpectrum {
  public:
@@ -43,7 +43,7 @@ class ParticleSpectrum {
     return sum;
   }
 
-  /// action(n, k) for all modes in parallel. As everywhere here, what is called in parallel must not throw.
+  /// Calls action(n, k) for all modes, in parallel. No function that is called in parallel here may throw.
   template <class Action>
   void for_each_mode(const Action& action) const {
     const int rows = grid_.row_count();
@@ -61,8 +61,8 @@ class ParticleSpectrum {
     }
   }
 
-  /// Where particles are; what follows is about them. `origin`: where the first point of the grid is, m; modes are
-  /// those of a field as seen from there.
+  /// Takes the positions of the particles, m; the functions below use them. Throws Error(run_failed) if one is not
+  /// finite. `origin`: position of the first point of the grid, m; modes are those of a field as seen from there.
   void locate(const std::array<const double*, Dim>& position, Index count, const std::array<double, Dim>& origin = {}) {
     int lost = 0;
 #pragma omp parallel for schedule(static) reduction(| : lost) if (count >= parallel_threshold)
@@ -73,7 +73,7 @@ class ParticleSpectrum {
     weighed_ = false;
   }
 
-  /// Modes of how densely particles lie, over their mean: 0 but for unevenness. Throws as fit() does.
+  /// Modes of the number density over its mean, minus 1: zero if particles lie evenly. Throws as fit() does.
   void unevenness(Complex* modes) {
     weigh();
     values(1);
@@ -86,15 +86,15 @@ class ParticleSpectrum {
     for_each_mode([&](std::size_t n, const WaveVector&) { modes[n] *= restore_[n]; });
   }
 
-  /// Modes of the field whose `Count` components value(i, numbers) gives at the particles. First the weighted mean
-  /// about each point, with what spreading takes from a wave given back. Then, up to `corrections` times,
-  /// the same of what is still missing at the particles: so it comes near to the least-squares fit wherever they are.
-  /// Throws Error(run_failed) where a point of the grid has hardly any particle about it.
+  /// Computes the modes of a field. value(i, numbers) must write its `Count` components at particle i. The first guess
+  /// is the weighted mean about each point of the grid, where what spreading takes from a wave is restored. Then, up to
+  /// `corrections` times, the same is done with what is still missing at the particles, and added. So the result comes
+  /// near the least-squares fit. Throws Error(run_failed) if hardly any particle is near a point of the grid.
   template <int Count, class Value>
   void fit(const Value& value, const std::array<Complex*, Count>& modes, int corrections) {
     spread<Count>(value, modes, false);
-    // The first guess misses about the unevenness u of a field, a correction 3 u of what it is to correct (measured on
-    // lattices with jitter and in turbulence).
+    // The first guess misses about a share u, the unevenness, of a field. A correction misses 3 u of what it corrects
+    // (measured on lattices with jitter and in turbulence).
     double missing = uneven_;
     for (int n = 0; n < corrections && missing > missed; ++n, missing *= 3.0 * uneven_) {
       missing_.resize(static_cast<std::size_t>(mesh_.count()) * Count);
@@ -119,7 +119,7 @@ class ParticleSpectrum {
     }
   }
 
-  /// take(i, numbers) for every particle with what the fields of these modes are there. The modes are used up.
+  /// Calls take(i, numbers) for every particle, with the values of these modes there. Overwrites `modes`.
   template <int Count, class Take>
   void evaluate(const std::array<Complex*, Count>& modes, const Take& take) {
     values(Count);
@@ -133,8 +133,8 @@ class ParticleSpectrum {
   }
 
  private:
-  static constexpr double empty = 1e-3;   // of the mean
-  static constexpr double missed = 3e-3;  // of a field, without another correction
+  static constexpr double empty = 1e-3;   // weight of a point with hardly any particle, over the mean weight
+  static constexpr double missed = 3e-3;  // no further correction if less than this share of a field is missing
 
   void values(int count) {
     if (static_cast<int>(values_.size()) < count) values_.resize(static_cast<std::size_t>(count));
@@ -145,12 +145,12 @@ class ParticleSpectrum {
     for (int c = 0; c < count; ++c) work_modes_[static_cast<std::size_t>(c)].resize(mode_count());
   }
 
-  // How many particles are about each point.
+  // Weight of the particles near each point, and the unevenness.
   void weigh() {
     if (weighed_) return;
     mesh_.template spread<1>([](Index, double* one) { one[0] = 1.0; }, {weight_.data()});
     const double mean = static_cast<double>(mesh_.count()) / static_cast<double>(grid_.point_count());
-    // Row by row, so that the sum is rounded in one way.
+    // Row by row, so that the sum is rounded in the same way for any number of threads.
     double least = mean;
     const int rows = grid_.row_count();
     const int columns = grid_.points[0];
@@ -200,7 +200,7 @@ class ParticleSpectrum {
   Grid<Dim> grid_;
   ParticleMesh<Dim> mesh_;
   FourierTransform transform_;
-  std::vector<double> restore_;  // 1 / (what spreading leaves of a wave); 0 beyond the cutoff
+  std::vector<double> restore_;  // 1 / (factor by which spreading reduces a wave); 0 beyond the cutoff
   std::vector<double> weight_;   // of all particles at each point
   bool weighed_ = false;
   double uneven_ = 0.0;

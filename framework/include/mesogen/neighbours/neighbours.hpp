@@ -4,8 +4,8 @@
 
 namespace mesogen {
 
-/// A run of particles that lie behind each other in storage, and how their coordinates relate to those of the cell
-/// that looks at them: r_i - r_j = (local_i - offset) - local_j, offset = shift * width of a cell.
+/// A run of particles that are contiguous in storage. It also says how their coordinates relate to those of the cell
+/// that looks at them: r_i - r_j = (local_i - offset) - local_j, with offset = shift * width of a cell.
 template <class Real, int Dim>
 struct Segment {
   Index begin;
@@ -14,44 +14,44 @@ struct Segment {
   Real offset[Dim];
 };
 
-/// A few neighbours of one particle that lie behind each other in storage: what a pair sum handles at a time.
+/// A few neighbours of one particle that are contiguous in storage: what a pair sum handles at a time.
 struct NeighbourBlock {
-  /// How many they are at most: as many as the widest pack holds.
+  /// Largest number of neighbours in a block: the number of lanes of the widest pack.
   template <class Real>
   static constexpr int width = 64 / sizeof(Real);
   static constexpr int most_dimensions = 3;
   static constexpr int most_shift = 127;
 
   Index first;
-  std::int8_t lanes;                   ///< how many they are
+  std::int8_t lanes;                   ///< number of neighbours in the block
   std::int8_t shift[most_dimensions];  ///< in cells, as in Segment
 };
 
-/// Where each particle's neighbours are: the cell grid as a pair pass sees it. Trivially copyable.
+/// The neighbours of each particle: the cell grid as a pair pass sees it. Trivially copyable.
 ///
-/// Particles are stored by cell. Cells are narrow along x and half as high as the support across it, so the neighbours
-/// of a particle are five short runs of contiguous storage in 2D (25 in 3D). Where in these runs the particles within
-/// reach begin and end is found once a sorting and kept, cut into blocks. Coordinates are kept relative to a tile (a
-/// group of cells of one row): small numbers, so that float stays exact however large the box is or however far it lies
-/// from the origin. The same offsets carry periodic images, so a wrapped box needs no minimum image in the loop, and
-/// ghosts are no special case: they are in cells like others, outside the box. Particles of walls are runs of their
-/// own in the same cells.
+/// Particles are stored by cell. A cell is a quarter of the search range long (along x) and half of it high, so that
+/// the neighbours of a particle are five short contiguous runs in storage in 2D (25 in 3D). The parts of these runs
+/// that are within reach are found once per sorting, cut into blocks, and kept. Coordinates are relative to a tile (a
+/// group of cells of one row). They are small numbers, so float is accurate enough for any box size and any distance
+/// from the origin. The same offsets carry periodic images: a wrapped box needs no minimum image in the loop. Ghosts
+/// need no special treatment either: they are in cells outside the box. Wall particles are separate runs in the same
+/// cells.
 template <class Real, int Dim>
 struct Neighbours {
   const Real* local[Dim];   ///< particle coordinates relative to the tile of their cell, m
-  const Index* cell_begin;  ///< by cell: particles inside the box, their ghosts outside it
+  const Index* cell_begin;  ///< by cell: particles in cells inside the box, ghosts in cells outside
   const Index* cell_end;
-  const Index* wall_begin;  ///< by cell, inside or outside: particles of walls; null where there are none
+  const Index* wall_begin;  ///< by cell, inside or outside: wall particles; null if there are none
   const Index* wall_end;
   const Index* cell_of;             ///< for each particle, the number of its cell inside the box
-  const std::int64_t* block_begin;  ///< for each particle, the first of its blocks; one more at the end
-  const NeighbourBlock* block;      ///< together they hold each particle within the support once, itself included
-  const Real* offset[Dim];          ///< by shift of a block, from most_shift below zero to as many above
+  const std::int64_t* block_begin;  ///< for each particle, index of its first block; one more at the end
+  const NeighbourBlock* block;      ///< of a particle: they hold each particle within the support once, and itself
+  const Real* offset[Dim];          ///< by shift of a block, from -most_shift to most_shift, m
   Index particle_count;             ///< particles of the fluid
   int cells[Dim];                   ///< cells inside the box
-  int padding[Dim];                 ///< layers of cells outside it on either side, for ghosts and walls
-  int reach[Dim];                   ///< how many cells away a neighbour can be
-  bool wrapped[Dim];                ///< does the grid continue on the other side?
+  int padding[Dim];                 ///< layers of cells on either side of the box, for ghosts and walls
+  int reach[Dim];                   ///< largest distance of a neighbour, in cells
+  bool wrapped[Dim];                ///< true if the grid continues on the other side
   double width[Dim];                ///< of a cell, m
   int tile;                         ///< cells in a tile, along x
   Real radius;                      ///< support of the kernel, m
@@ -65,7 +65,7 @@ struct Neighbours {
     return n;
   }
 
-  /// Index into cell_begin of a cell given by its coordinates, which may lie in the padding.
+  /// Index into cell_begin of the cell with these coordinates. The cell may be in the padding.
   [[nodiscard]] MESOGEN_HOST_DEVICE int cell_index(const int (&at)[Dim]) const {
     int index = 0;
     for (int d = Dim - 1; d >= 0; --d) index = index * (cells[d] + 2 * padding[d]) + at[d] + padding[d];
@@ -80,7 +80,7 @@ struct Neighbours {
     }
   }
 
-  /// All runs of particles within reach of a cell; returns their number.
+  /// Writes all runs of particles within reach of a cell to `out`, and returns their number, at most most_segments.
   MESOGEN_HOST_DEVICE int segments(const int (&centre)[Dim], Segment<Real, Dim>* out) const {
     int count = 0;
     const int origin = tile_of(centre[0]).first;
@@ -94,8 +94,8 @@ struct Neighbours {
     return count;
   }
 
-  /// A group of cells [first, last] along x whose coordinates begin with the first, the one that holds cell `at`.
-  /// `first_stored` is the cell where `first` is stored: another one if the grid wraps.
+  /// The group of cells [first, last] along x that contains cell `at`. The coordinates of its particles are relative to
+  /// the beginning of cell `first`. `first_stored` is the cell where `first` is stored: another cell if the grid wraps.
   struct Tile {
     int first;
     int last;

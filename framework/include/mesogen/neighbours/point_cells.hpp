@@ -10,23 +10,23 @@
 
 namespace mesogen {
 
-/// Points of a box sorted into cells, to be searched on the host: what observers use. The pair passes of a run have
-/// their own, faster grid (Neighbours).
+/// Points of a box sorted into cells, for searches on the host. Observers use it. The pair passes of a run have their
+/// own, faster grid (Neighbours).
 ///
-/// Points are visited in an order that depends only on their numbers and coordinates. Along periodic axes every image
-/// within the radius is visited, so a radius beyond half the box is as good as any other.
+/// The order in which points are visited depends only on their numbers and coordinates. Along periodic axes every image
+/// within the radius is visited, so a radius larger than half the box is allowed.
 template <int Dim>
 class PointCells {
  public:
   using Point = std::array<double, Dim>;
 
-  /// `points`: coordinates, m, anywhere. `width`: least width of a cell, m; a good one is the radius of the searches to
-  /// come, or a part of it. Of the scene its box and which axes are periodic matter.
+  /// `points`: coordinates, m, also outside the box. `width`: smallest width of a cell, m. The radius of later
+  /// searches, or a part of it, is a good choice. Of `scene`, the box and the periodic axes are used.
   PointCells(const Scene& scene, const std::vector<Point>& points, double width) {
     const auto& box = scene.box;
     double volume = 1.0;
     for (int d = 0; d < Dim; ++d) volume *= box[index(d)];
-    // Cells far smaller than the points' distance would cost memory and time, and gain nothing.
+    // Cells that are much smaller than the distance of points would cost memory and time without gain.
     const double finest = 0.5 * std::pow(volume / static_cast<double>(points.size() + 1), 1.0 / Dim);
     int total = 1;
     for (int d = 0; d < Dim; ++d) {
@@ -53,7 +53,7 @@ class PointCells {
     }
   }
 
-  /// The point brought into the box, [0, box), along periodic axes.
+  /// Returns the point moved into the box, [0, box), along periodic axes.
   [[nodiscard]] Point wrapped(Point point) const {
     for (int d = 0; d < Dim; ++d) {
       if (!periodic_[index(d)]) continue;
@@ -64,8 +64,8 @@ class PointCells {
     return point;
   }
 
-  /// visit(number of the point, displacement from the centre to it, square of its length) for every point, and every
-  /// periodic image of one, at a distance of at most `radius`.
+  /// Calls visit(number of the point, displacement from the centre to it, square of its length) for every point at a
+  /// distance of at most `radius`, and for every periodic image of a point within that distance.
   template <class Visit>
   void within(const Point& somewhere, double radius, const Visit& visit) const {
     const Point centre = wrapped(somewhere);

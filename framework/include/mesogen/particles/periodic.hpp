@@ -5,15 +5,15 @@
 
 namespace mesogen {
 
-/// Brings a coordinate (m) into [0, length) and counts in `images` the boxes that it crossed: coordinate + images *
-/// length stays the same to rounding. A coordinate that is not finite, or a billion boxes away, is left as it is: the
-/// checks of the run name the particle.
+/// Moves a coordinate (m) into [0, length), and adds to `images` the number of boxes by which it moved: coordinate +
+/// images * length stays the same up to rounding. Leaves a coordinate unchanged that is not finite or is a billion
+/// boxes away; the checks of the run then name the particle.
 inline void wrap_into_box(double length, double& coordinate, std::int32_t& images) {
   if (coordinate >= 0.0 && coordinate < length) return;
   double boxes = std::floor(coordinate / length);
   if (!(std::abs(boxes) < 1e9)) return;
   double inside = coordinate - boxes * length;
-  // Rounding can leave it just outside: -1e-18 m ends at `length` itself, which is the face at 0.
+  // Rounding can leave it just outside: -1e-18 m becomes `length` itself, which is the face at 0.
   if (inside < 0.0) {
     inside += length;
     boxes -= 1.0;

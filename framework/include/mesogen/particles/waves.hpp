@@ -22,8 +22,8 @@ struct BoxWave {
   [[nodiscard]] double argument(double x, double y) const { return kx * x + ky * y + phase; }
 };
 
-/// Waves from the rows of a parameter: wave numbers along x and y (waves in the box), amplitude, phase (rad). Throws
-/// BadParameter for a wave number that is not whole: the wave would be torn at the faces of the box.
+/// Waves from the rows of a parameter: waves in the box along x and along y, amplitude, phase (rad). Throws
+/// BadParameter if a number of waves is not whole: the wave would jump at the faces of the box.
 inline std::vector<BoxWave> box_waves(const std::string& key, const Parameter::Rows& rows, const Scene& scene) {
   std::vector<BoxWave> waves;
   for (const auto& row : rows) {

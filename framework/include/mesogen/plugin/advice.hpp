@@ -10,33 +10,33 @@
 
 namespace mesogen {
 
-/// A number that tells what kind of scene this is, for `mesogen check`.
+/// A number that characterises the scene. `mesogen check` prints it.
 struct SceneNumber {
-  std::string name;  ///< "active_length", also its key for programs
+  std::string name;  ///< "active_length"; also its key in the output for programs
   double value = 0.0;
-  std::string unit;     ///< SI unit; "1" where it has none
+  std::string unit;     ///< SI unit; "1" if it has none
   std::string meaning;  ///< "l_Q = sqrt(K / |zeta|)"
 };
 
-/// Something that would be better otherwise, for `mesogen check`. A test follows each piece of advice and finds what it
-/// promises.
+/// Advice on how to improve a case. `mesogen check` prints it. Each kind of advice has a test that follows it and
+/// checks what it promises.
 struct Suggestion {
   std::string name;                   ///< "core_under_resolved"
-  std::string finding;                ///< how it is
-  std::vector<std::string> settings;  ///< what to change, as for --set: "particles.spacing=0.07"; none if no key helps
-  std::string gain;                   ///< what that does, and what is lost; without settings: what else helps
+  std::string finding;                ///< what is not good in this case
+  std::vector<std::string> settings;  ///< changes, as for --set: "particles.spacing=0.07"; empty if no key helps
+  std::string gain;                   ///< what the changes gain and cost; if `settings` is empty: what else helps
 };
 
-/// What a plugin gives advice from.
+/// What a plugin knows when it gives advice.
 struct AdviceContext {
   const Scene& scene;
-  const StepLimits& limits;  ///< on the step, of all plugins
-  StepCause binding;         ///< the limit that binds at the start
-  bool step_is_given;        ///< by the case: limits do not matter
-  std::string section;       ///< of the plugin itself: "physics.flow"
-  /// A unit of the case in the place of an SI unit: "pN/um2" for "Pa".
+  const StepLimits& limits;  ///< limits on the step, of all plugins
+  StepCause binding;         ///< cause of the smallest limit at the start
+  bool step_is_given;        ///< true if the case gives the step: limits are then not used
+  std::string section;       ///< section of this plugin: "physics.flow"
+  /// Returns the unit of the case for an SI unit: "pN/um2" for "Pa".
   std::function<std::string(std::string_view si)> unit;
-  /// The largest spacing of particles, not above this one, that fits the box, m.
+  /// Returns the largest particle spacing that fits the box and is at most `at_most`, m.
   std::function<double(double at_most)> fitting_spacing;
 };
 

@@ -7,17 +7,17 @@
 
 namespace mesogen {
 
-/// How a field goes on at a ghost or at a particle of a wall: f' = A f + b, component by component, where f is the
-/// value of the ghost's source, or the fluid's value at the mirror point of the wall particle.
+/// The value of a field at a ghost or a wall particle: f' = A f + b for all components together. For a ghost, f is the
+/// value at the particle of which it is a copy; for a wall particle, the fluid's value at its mirror point.
 class AffineRule {
  public:
-  /// The largest number of components that a field can have: a matrix in 3D.
+  /// Largest number of components of a field: a matrix in 3D.
   static constexpr int most = 9;
 
-  /// The same value: f' = f. Behind a wall this means that the field has no slope there.
+  /// Same value: f' = f. At a wall this means that the field has no slope along the normal.
   explicit AffineRule(const FieldKind& field) : AffineRule(field.components()) {}
-  /// Holds the field at a value half way between the mirror point and the wall particle, which is where the wall is:
-  /// f' = 2 value - f. `value`: at least as many numbers as the field has components.
+  /// Holds the field at `value` at the wall: f' = 2 value - f. The wall is half way between a mirror point and its wall
+  /// particle. `value` needs at least as many numbers as the field has components.
   static AffineRule held_at(const FieldKind& field, std::span<const double> value) {
     AffineRule rule(field);
     for (int c = 0; c < rule.components_; ++c) {
@@ -26,7 +26,7 @@ class AffineRule {
     }
     return rule;
   }
-  /// The mirror image of a vector: its part along the normal turns round, v' = v - 2 (v . n) n.
+  /// Mirror image of a vector: its part along the normal changes sign, v' = v - 2 (v . n) n. `normal` has length 1.
   static AffineRule reflected(const FieldKind& vector, const std::array<double, 3>& normal) {
     AffineRule rule(vector);
     for (int r = 0; r < rule.components_; ++r)
@@ -41,7 +41,7 @@ class AffineRule {
   [[nodiscard]] double summand(int component) const { return summand_[static_cast<std::size_t>(component)]; }
   [[nodiscard]] double& summand(int component) { return summand_[static_cast<std::size_t>(component)]; }
 
-  /// The rule that does first `first`, then this one; both are for the same field.
+  /// Returns the rule that applies `first` and then this rule. Both must be for the same field.
   [[nodiscard]] AffineRule after(const AffineRule& first) const {
     AffineRule both(components_);
     for (int r = 0; r < components_; ++r) {

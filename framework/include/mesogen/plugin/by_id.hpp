@@ -8,8 +8,8 @@
 
 namespace mesogen {
 
-/// What an observer sees, ordered by particle id instead of storage. Sums over it do not depend on how particles
-/// happen to be stored, and entry i belongs to the same particle in every sample.
+/// What an observer sees, ordered by particle id instead of storage. Entry i belongs to the same particle in every
+/// sample, and sums do not depend on the order in which particles are stored.
 class ById {
  public:
   explicit ById(const ObserverContext& context) : context_(context), place_(context.id().size()) {
@@ -43,7 +43,7 @@ class ById {
   }
 
   const ObserverContext& context_;
-  std::vector<std::size_t> place_;  // in storage, of each id
+  std::vector<std::size_t> place_;  // of each id, its index in storage
 };
 
 }  // namespace mesogen

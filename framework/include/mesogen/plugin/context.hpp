@@ -15,8 +15,8 @@ namespace sph {
 struct SmoothingKernel;
 }
 
-/// What a pass is given: the fields that it declared, and no others. An undeclared access throws, naming the plugin
-/// instance and the field.
+/// What a pass may use: the fields that it declared, and no others. Access to any other field throws an error that
+/// names the plugin instance and the field.
 class MESOGEN_EXPORT PassContext {
  public:
   PassContext() = default;
@@ -24,22 +24,22 @@ class MESOGEN_EXPORT PassContext {
   PassContext& operator=(const PassContext&) = delete;
   virtual ~PassContext();
 
-  /// A field declared by reads, reads_neighbours or reads_if_present.
+  /// A field that the pass declared by reads, reads_neighbours or reads_if_present.
   template <class Real>
   [[nodiscard]] FieldView<const Real> read(std::string_view field) const {
     const RawField raw = readable(field, sizeof(Real));
     return {static_cast<const Real*>(raw.data), raw.stride};
   }
-  /// A field declared by writes or accumulates.
+  /// A field that the pass declared by writes or accumulates.
   template <class Real>
   [[nodiscard]] FieldView<Real> write(std::string_view field) const {
     const RawField raw = writable(field, sizeof(Real));
     return {static_cast<Real*>(raw.data), raw.stride};
   }
-  /// Does the scene have this field, declared by reads_if_present?
+  /// True if the scene has this field, which the pass declared by reads_if_present.
   [[nodiscard]] virtual bool has(std::string_view field) const = 0;
 
-  /// Cell grid for pair sums.
+  /// Cell grid for sums over pairs.
   template <class Real, int Dim>
   [[nodiscard]] Neighbours<Real, Dim> neighbours() const {
     Neighbours<Real, Dim> grid{};
@@ -48,19 +48,19 @@ class MESOGEN_EXPORT PassContext {
   }
   [[nodiscard]] virtual const sph::SmoothingKernel& kernel() const = 0;
   [[nodiscard]] virtual const Scene& scene() const = 0;
-  /// Where the pass runs. On a device, fields, positions and ids lie in its memory, for what goes through
-  /// exec::for_each or sph::pair_sum alone; if the pass has loops of its own, say HOST_ONLY to mesogen_add_plugin. Ask
-  /// for each in every run of the pass: a pointer that is kept may be out of date the next time.
+  /// The space in which the pass runs. On a device, fields, positions and ids lie in the memory of the device: only
+  /// exec::for_each and sph::pair_sum may use them. If the pass has loops of its own, say HOST_ONLY to
+  /// mesogen_add_plugin. Ask for pointers in every run of the pass: a pointer of an earlier run may be out of date.
   [[nodiscard]] virtual exec::Space space() const = 0;
-  /// Real particles; boundary copies follow them in storage.
+  /// Number of particles of the fluid. Boundary copies follow them in storage.
   [[nodiscard]] virtual Index count() const = 0;
-  /// Coordinates of the particles, m; some spacings outside the box until they are sorted the next time.
+  /// Coordinates of the particles, m. Between two sortings they may be some spacings outside the box.
   [[nodiscard]] virtual const double* position(int axis) const = 0;
-  /// Another number whenever particles have moved or changed places in storage.
+  /// A number that changes whenever particles have moved or have changed their order in storage.
   [[nodiscard]] virtual std::uint64_t positions_version() const = 0;
-  /// Numbers 0, 1, ... that stay with the particles while their order in storage changes: what random numbers go by.
+  /// Numbers 0, 1, ... that stay with the particles while their order in storage changes. Random numbers use them.
   [[nodiscard]] virtual const std::int64_t* id() const = 0;
-  /// Time at which fields stand now, s; the step size, s (0 when the rates are first evaluated); steps done.
+  /// Time of the present fields, s; step size, s (0 when the rates are first computed); number of steps done.
   [[nodiscard]] virtual double time() const = 0;
   [[nodiscard]] virtual double step_size() const = 0;
   [[nodiscard]] virtual std::int64_t step() const = 0;

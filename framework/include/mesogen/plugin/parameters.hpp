@@ -14,59 +14,59 @@
 
 namespace mesogen {
 
-/// One key of a section of a case: the only source for parsing, checks, `plugin info` and the docs.
+/// One key of a section of a case. Parsing, checks, `plugin info` and the docs all use it, and nothing else.
 struct MESOGEN_EXPORT Parameter {
   using Rows = std::vector<std::vector<double>>;
-  /// Where the value goes. The value it holds when declared is the default.
+  /// Variable that receives the value. The value that it has when the parameter is declared is the default.
   using Target = std::variant<double*, std::optional<double>*, std::int64_t*, bool*, std::string*, std::vector<double>*,
                               std::vector<std::string>*, Rows*>;
 
-  std::string name;  ///< "viscosity"; "bulk.A" is key A of the table `bulk`
+  std::string name;  ///< "viscosity"; "bulk.A" means key A of the table `bulk`
   Target target;
   std::string unit_text = "1";
   std::string doc_text;
-  std::string word;  ///< stands for "no value" of an optional number, such as "auto"
+  std::string word;  ///< word that a case may give instead of an optional number: "auto"
   double lowest = -std::numeric_limits<double>::infinity();
   double highest = std::numeric_limits<double>::infinity();
   bool lowest_excluded = false;
   bool highest_excluded = false;
   bool is_required = false;
-  std::vector<std::string> choice_list;  ///< of a text, or of each text of a list
-  std::vector<std::size_t> size_list;    ///< allowed lengths: of a list of numbers, or of each row; empty: any
+  std::vector<std::string> choice_list;  ///< allowed values of a text, or of each text of a list; empty: any
+  std::vector<std::size_t> size_list;    ///< allowed lengths of a list of numbers, or of each row; empty: any
   std::string condition_key;             ///< see only_with; empty: no condition
   std::vector<std::string> condition_values;
 
   Parameter& unit(std::string_view text);
   Parameter& doc(std::string_view text);
-  /// Bounds of a number, or of each number of a list.
+  /// Bounds of a number, or of each number in a list.
   Parameter& at_least(double bound);
   Parameter& above(double bound);
   Parameter& at_most(double bound);
   Parameter& below(double bound);
-  /// The case must give it; there is no default.
+  /// The case must give this key: it has no default.
   Parameter& required();
   Parameter& choices(std::vector<std::string> allowed);
   Parameter& sizes(std::vector<std::size_t> allowed);
-  /// The key has a meaning only while another key of the same list, declared before it, has one of these values (a
-  /// choice, the word of an optional number, "true" or "false"). Otherwise it must not be given, required or not.
+  /// The key is valid only if another key of the same list, declared before it, has one of these values (a choice, the
+  /// word of an optional number, "true" or "false"). Otherwise a case must not give it, even if it is required().
   Parameter& only_with(std::string_view other_key, std::vector<std::string> values);
 
   /// "number", "number or \"auto\"", "integer", "true or false", "text", "list of numbers", ...
   [[nodiscard]] std::string type_text() const;
-  /// The value now in the target, as TOML writes it; before a case is read, the default.
+  /// The present value of the target, as TOML writes it. Before a case is read this is the default.
   [[nodiscard]] std::string value_text() const;
-  /// "> 0", "0 to 1", "one of: a, b"; empty where everything is allowed.
+  /// "> 0", "0 to 1", "one of: a, b"; empty if every value is allowed.
   [[nodiscard]] std::string range_text() const;
-  /// `type = "modes"`, `anchoring = "planar" or "angle"`: the condition of only_with; empty where there is none.
+  /// The condition of only_with: `type = "modes"`, `anchoring = "planar" or "angle"`; empty if there is none.
   [[nodiscard]] std::string condition_text() const;
 };
 
-/// The keys that a plugin, or a section of the case, understands. Each call binds a key to a variable of the caller,
-/// which must outlive the list; the reference that it returns is for `.unit().doc().above()...`.
+/// The keys of a plugin, or of a section of the case. Each call binds a key to a variable of the caller, which must
+/// live longer than the list. Use the returned reference for `.unit().doc().above()...`.
 class MESOGEN_EXPORT ParameterList {
  public:
   Parameter& number(std::string_view name, double& target);
-  /// A number, or `word` for "decide by yourself".
+  /// A number, or `word`, which leaves the target without a value: the plugin then decides by itself.
   Parameter& number_or(std::string_view name, std::optional<double>& target, std::string_view word);
   Parameter& integer(std::string_view name, std::int64_t& target);
   Parameter& flag(std::string_view name, bool& target);
@@ -77,16 +77,16 @@ class MESOGEN_EXPORT ParameterList {
   Parameter& rows(std::string_view name, Parameter::Rows& target);
 
   [[nodiscard]] const std::deque<Parameter>& all() const { return parameters_; }
-  /// A key that this list had once. A case that gives it is refused with `advice` on what to write instead.
+  /// A key of an earlier version. A case that gives it is refused; `advice` says what to write instead.
   void moved(std::string_view name, std::string_view advice) { moved_.insert_or_assign(std::string(name), advice); }
-  /// The advice on such a key; empty if there is none.
+  /// The advice for such a key; empty if there is none.
   [[nodiscard]] std::string moved_advice(const std::string& name) const {
     const auto found = moved_.find(name);
     return found == moved_.end() ? std::string() : found->second;
   }
-  /// nullptr if there is none of this name.
+  /// The parameter of this name; nullptr if there is none.
   [[nodiscard]] const Parameter* find(std::string_view name) const;
-  /// Does the condition of a parameter of this list hold, with the values that the targets have now?
+  /// Returns true if the condition of a parameter of this list holds for the present values of the targets.
   [[nodiscard]] bool applies(const Parameter& parameter) const;
 
  private:

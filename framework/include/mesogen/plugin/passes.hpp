@@ -19,58 +19,58 @@ namespace mesogen {
 
 class PassContext;
 
-/// How particles, and the fields that are advanced on them, go with a flow.
+/// How a flow moves particles, and the fields that are advanced on them.
 struct Transport {
-  std::string velocity;  ///< of the fluid, m/s; empty: nothing flows
-  /// What moves particles beside it, m/s, if any pass adds to it; may be empty. It takes a particle into other fluid:
-  /// every predicted field f but the velocity (the order tensor) changes by + shift . grad f too (arbitrary
-  /// Lagrangian-Eulerian). Particles that kept what they carry would stir the director, and its free energy would
-  /// rise. The velocity stays, because momentum would drift.
+  std::string velocity;  ///< name of the field of the fluid's velocity, m/s; empty: nothing flows
+  /// Name of the field of an additional velocity of particles, m/s, if any pass adds to it; may be empty. The shift
+  /// moves a particle into other fluid: every predicted field f except the velocity (for example the order tensor) also
+  /// changes by + shift . grad f (arbitrary Lagrangian-Eulerian). If particles kept what they carry, the director would
+  /// be stirred and its free energy would rise. The velocity is kept, because otherwise momentum would drift.
   std::string shift;
-  /// Particles stay where they are, and every advanced field f changes by - velocity . grad f (Eulerian).
+  /// If true, particles do not move, and every advanced field f changes by - velocity . grad f (Eulerian).
   bool fixed = false;
-  /// Of what drives the fluid, m/s2, where passes advance the velocity (Advance::by_passes): what the first step from
-  /// rest goes by; then the change of the velocity is known.
+  /// Name of the field of the acceleration that drives the fluid, m/s2. Only needed if passes advance the velocity
+  /// (Advance::by_passes). It determines the first step from rest; later steps use the change of the velocity.
   std::string drive = {};
 
-  /// The velocity of particles relative to the fluid: + shift, - velocity, or none.
+  /// Name of the field of the particles' velocity relative to the fluid: `shift`, or `velocity` with sign - if `fixed`.
   [[nodiscard]] const std::string& relative() const { return fixed ? velocity : shift; }
   [[nodiscard]] bool advects() const { return fixed || !shift.empty(); }
 };
 
-/// When in a step a pass runs.
+/// In which part of a step a pass runs.
 enum class Phase {
   begin,  ///< after the half step that predicts the midpoint
-  rates,  ///< at the midpoint: rates of change
+  rates,  ///< at the midpoint; computes rates of change
   end,    ///< after the update
-  /// after a step, when an observer or a frame reads what the pass writes, and for frames that are replayed: makes it
-  /// from fields that keep their value from step to step. The integration takes what a pass of another phase wrote
+  /// after a step, if an observer or a frame reads what the pass writes, and for replayed frames. The pass computes it
+  /// from fields that keep their values between steps. The integration uses what passes of other phases wrote
   observe,
 };
 
-/// How a field that the framework advances in time is advanced.
+/// How a field is advanced in time.
 enum class Advance {
-  never,     ///< only passes write it
-  midpoint,  ///< f += dt * rate, the rate taken at the midpoint
-  /// the same, but at the midpoint passes see it half a step ahead by the previous rate: for fields whose rate depends
-  /// on themselves (velocity, order tensor). See TimeScheme
+  never,     ///< not advanced: only passes write it
+  midpoint,  ///< f += dt * rate, with the rate at the midpoint
+  /// like midpoint; in addition, passes at the midpoint see the field half a step ahead, by the previous rate. For
+  /// fields whose rate depends on themselves (velocity, order tensor). See TimeScheme
   predicted,
-  /// its plugin's passes bring it from step to step; it may have an initial value, and is kept in checkpoints
+  /// passes of its plugin advance it. It may have an initial value, and is stored in checkpoints
   by_passes,
 };
 
-/// Between which values a field of a sound run stays, and what to do where it does not.
+/// Bounds of a field in a run that has not broken down, and what the user can do if a value is outside.
 struct FieldBounds {
-  double lowest;       ///< in the unit of the field; of its length where it has several components
-  double highest;      ///< likewise
-  std::string remedy;  ///< a sentence without its stop: "Raise sound_speed"
+  double lowest;       ///< in the unit of the field; bound of the length if it has several components
+  double highest;      ///< the same
+  std::string remedy;  ///< a sentence without its full stop: "Raise sound_speed"
 };
 
-/// What a plugin does after each step, given the largest length that a field has then and the step, s. Returns what it
-/// changed, for the log: "sound_speed rises from 2 to 4"; empty: nothing.
+/// A function of a plugin that is called after each step. `largest`: largest length of the field at that time;
+/// `step_size`: s. Returns what it changed, for the log: "sound_speed rises from 2 to 4"; empty if nothing.
 using Watch = std::function<std::string(double largest, double step_size)>;
 
-/// Does the framework advance it, with a rate?
+/// True if the framework advances the field with a rate.
 constexpr bool has_rate(Advance advance) { return advance == Advance::midpoint || advance == Advance::predicted; }
 
 /// A field that a plugin introduces.
@@ -80,7 +80,7 @@ struct MESOGEN_EXPORT FieldDeclaration {
   std::string unit_text = "1";
   std::string doc_text;
   Advance advance = Advance::never;
-  std::string rate;                   ///< field that holds its rate of change
+  std::string rate;                   ///< name of the field of its rate of change
   std::optional<FieldBounds> bounds;  ///< see stays_within
   Watch watch;                        ///< see watched_by
   bool is_shown = false;              ///< see shown
@@ -88,47 +88,47 @@ struct MESOGEN_EXPORT FieldDeclaration {
 
   FieldDeclaration& unit(std::string_view text);
   FieldDeclaration& doc(std::string_view text);
-  /// Frames store it unless the case names other fields.
+  /// Frames store this field unless the case names the fields to store.
   FieldDeclaration& shown() {
     is_shown = true;
     return *this;
   }
-  /// An initial condition has to set it: a case without one is refused. Other fields start from 0.
+  /// An initial condition must set this field; a case without one is refused. Other fields start from 0.
   FieldDeclaration& set_at_start() {
     needs_start = true;
     return *this;
   }
-  /// The framework advances this field with `rate_field`, keeps it in double and in checkpoints.
+  /// Advanced by the framework with the field `rate_field`; kept in double precision, stored in checkpoints.
   FieldDeclaration& advanced_by(std::string_view rate_field);
   FieldDeclaration& predicted_by(std::string_view rate_field);
-  /// Passes of the plugin write it, from what it was: see Advance::by_passes.
+  /// Passes of the plugin write the field from its previous value: see Advance::by_passes.
   FieldDeclaration& advanced_by_passes();
-  /// The run ends, with the particle and the remedy, at the step after which a value is outside; of a field with
-  /// several components it is the length. For bounds beyond which a run is broken without doubt: a sound one never
-  /// meets them.
+  /// The run stops after the first step at which a value is outside the bounds; the message names the particle and
+  /// gives the remedy. For a field with several components, the length is checked. Choose bounds that only a broken run
+  /// exceeds.
   FieldDeclaration& stays_within(double lowest, double highest, std::string_view remedy) {
     bounds = FieldBounds{lowest, highest, std::string(remedy)};
     return *this;
   }
-  /// For an advanced field, and a plugin that adapts its numerics to it while the run goes on. What the function
-  /// changes must be kept (PassList::keep); limits on the step are asked again where it changed something. It is not
-  /// called where the case gives the step, which could not follow.
+  /// Calls `function` after each step, so that the plugin can adapt its numerics to this field. Only for fields that
+  /// are advanced in time. What the function changes must be kept (PassList::keep); the limits on the step are then
+  /// computed again. Not called if the case gives the step, because the step could not follow.
   FieldDeclaration& watched_by(Watch function) {
     watch = std::move(function);
     return *this;
   }
 };
 
-/// One piece of work with the fields that it touches. The scheduler orders passes by these, runs them only if somebody
-/// needs what they write, and refreshes ghosts and walls before a neighbour's value is read.
+/// One piece of work, and the fields that it uses. From these fields the scheduler finds the order of passes. It runs a
+/// pass only if somebody needs what the pass writes, and updates ghosts and walls before a pass reads neighbours.
 struct MESOGEN_EXPORT Pass {
   std::string name;
   Phase phase = Phase::rates;
-  std::vector<std::string> own_reads;        ///< read at the particle itself
-  std::vector<std::string> neighbour_reads;  ///< read at neighbours too
-  std::vector<std::string> optional_reads;   ///< read if the scene has them; see PassContext::has
-  std::vector<std::string> write_list;       ///< overwritten; one writer a field and phase
-  std::vector<std::string> accumulate_list;  ///< added to; the framework zeroes it first, additions in case order
+  std::vector<std::string> own_reads;        ///< fields read at the particle itself
+  std::vector<std::string> neighbour_reads;  ///< fields also read at neighbours
+  std::vector<std::string> optional_reads;   ///< fields read if the scene has them; see PassContext::has
+  std::vector<std::string> write_list;       ///< fields overwritten; only one writer per field and phase
+  std::vector<std::string> accumulate_list;  ///< fields added to, in case order; the framework sets them to 0 before
   bool adds_nothing = false;                 ///< see idle_if
   bool at_every_step = false;                ///< see advances_what_is_kept
   bool beside_sums = false;                  ///< see beside_pair_sums
@@ -139,54 +139,54 @@ struct MESOGEN_EXPORT Pass {
   Pass& reads_if_present(std::initializer_list<std::string_view> fields);
   Pass& writes(std::initializer_list<std::string_view> fields);
   Pass& accumulates(std::initializer_list<std::string_view> fields);
-  /// With these parameters (an activity of zero) it would add zero to everything: it is left out, with whatever only it
-  /// needs. For passes that accumulate and write nothing.
+  /// idle = true: with these parameters (an activity of zero, for example) the pass adds only zeros. It is then left
+  /// out, and with it everything that only it needs. For passes that accumulate and write nothing.
   Pass& idle_if(bool idle);
-  /// It changes what the plugin keeps (PassList::keep): it runs at every step, whoever reads what it writes.
+  /// It changes what the plugin keeps (PassList::keep): it runs at every step, even if nobody reads its fields.
   Pass& advances_what_is_kept();
-  /// It keeps particles fit for sums over neighbours: it runs only where another pass of the integration needs such
-  /// sums (observers do not count), and may use the neighbours that are found for that pass. For passes that
+  /// The pass keeps particles even enough for sums over neighbours. It runs only if another pass of the integration
+  /// needs such sums (observers do not count), and may use the neighbours that are found for that pass. For passes that
   /// accumulate and write nothing.
   Pass& beside_pair_sums();
   Pass& run(std::function<void(const PassContext&)> function);
 };
 
-/// What a physics plugin does: its fields and passes.
+/// The fields and passes of a physics plugin.
 ///
-/// Fields that the framework offers by itself, made once and only if somebody reads them:
+/// The framework offers the following fields by itself. It computes each once, and only if somebody reads it:
 ///   volume          scalar   V = 1 / sum_j W_ij (m^Dim)
 ///   correction      matrix   B, inverse of sum_j V_j r_ji (x) grad_i W_ij
 ///   X_gradient      d X_c / d x_d as component c * Dim + d, exact for linear X: B . sum_j V_j (X_j - X_i) grad_i W_ij
 ///   X_laplacian     2 (2 + Dim) / (2 + tr alpha) sum_j V_j (X_i - X_j) (r_ij . grad_i W_ij) / r_ij^2, each component
-/// for any field X: `velocity_gradient`, `order_tensor_laplacian`, ...
-/// A plugin may introduce a field of such a name and write it in a pass: then everybody reads that.
+/// for any field X: `velocity_gradient`, `order_tensor_laplacian`, ... A plugin may declare a field of such a name and
+/// write it in a pass: all readers then get the plugin's field.
 class MESOGEN_EXPORT PassList {
  public:
   FieldDeclaration& field(std::string_view name, Rank rank);
   Pass& pass(std::string_view name, Phase phase = Phase::rates);
-  /// There is a flow, and this is how particles go with it. One plugin of a case says so.
+  /// Declares that there is a flow, and how it moves particles. Only one plugin of a case may call this.
   void flows(Transport transport) { transport_ = std::move(transport); }
-  /// Numbers of the plugin's own that its passes bring from step to step, such as a field on a mesh: kept in
-  /// checkpoints. While a run is under way `where` must return exactly `count` numbers, which may be changed there.
+  /// Declares numbers that the plugin's passes advance from step to step, such as a field on a mesh. Checkpoints store
+  /// them. During a run `where` must return exactly `count` numbers; the framework may change them.
   void keep(std::string_view name, std::size_t count, std::function<std::span<double>()> where) {
     kept_.push_back({std::string(name), count, std::move(where)});
   }
 
-  /// A limit on the step, s: infinite where it does not limit. It stays the same over the run, or until a watch changes
-  /// something (FieldDeclaration::watched_by). `rule` says how it is made: "0.25 h / c0".
+  /// Declares a limit on the step. `seconds` returns it, s; infinity means no limit. It must stay the same during the
+  /// run, or until a watch changes something (FieldDeclaration::watched_by). `rule` is its formula: "0.25 h / c0".
   void step_limit(StepCause cause, std::string_view rule, std::function<double(const Scene&)> seconds) {
     limits_.push_back({cause, std::string(rule), std::move(seconds)});
   }
-  /// A number for observers, limits and advice that is known only now, beside those of Physics::publish.
+  /// A number for observers, limits and advice that is known only in declare(); see also Physics::publish.
   void constant(std::string_view name, double value) { constants_.insert_or_assign(std::string(name), value); }
-  /// Approximate memory beyond the declared fields, bytes, for the forecast of a run. It must not be taken before
-  /// passes run.
+  /// Adds the approximate memory beyond the declared fields, in bytes, for the forecast of a run. A plugin must not
+  /// allocate this memory before its passes run.
   void memory(double bytes) { memory_ += bytes; }
-  /// Numbers that tell what kind of scene this is.
+  /// Sets the function that adds numbers which characterise the scene, for `mesogen check`.
   void numbers(std::function<void(const Scene&, std::vector<SceneNumber>&)> function) {
     numbers_ = std::move(function);
   }
-  /// What would be better otherwise in this scene.
+  /// Sets the function that adds advice, for `mesogen check`.
   void advice(std::function<void(const AdviceContext&, std::vector<Suggestion>&)> function) {
     advice_ = std::move(function);
   }

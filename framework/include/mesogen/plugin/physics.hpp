@@ -8,8 +8,8 @@
 
 namespace mesogen {
 
-/// A physics term: parameters, fields and passes. One object for each instance in the case. It is called three times,
-/// in the order below; after that, what it declared is called.
+/// A physics term: parameters, fields and passes. There is one object for each instance in the case. The framework
+/// calls the three functions in the order below; during the run it calls only what declare() has registered.
 class MESOGEN_EXPORT Physics {
  public:
   Physics() = default;
@@ -17,15 +17,15 @@ class MESOGEN_EXPORT Physics {
   Physics& operator=(const Physics&) = delete;
   virtual ~Physics();
 
-  /// Names the keys of its section of the case. Also called without a case, for `plugin info`.
+  /// Names the keys of the plugin's section of the case. Also called without a case, for `plugin info`.
   virtual void parameters(ParameterList& list) = 0;
-  /// Tells other plugins what this one brings: adds to scene.constants and raises scene.scales. All plugins are called
-  /// in the order of the case, and then once more: the second time the scene has the constants of all, and what the
-  /// initial conditions set. So one plugin may tell what follows from another's constants.
+  /// Tells other plugins what this plugin brings: adds to scene.constants and raises scene.scales. All plugins are
+  /// called twice, each time in the order of the case. The second time the scene has the constants of all plugins and
+  /// what the initial conditions set, so a plugin may publish what follows from another plugin's constants.
   virtual void publish(Scene& scene) const;
-  /// Chooses what depends on the scene, and names fields, passes, limits on the step and advice. Refuses, by Error or
-  /// BadParameter, what its parameters cannot mean in this scene. For `plugin info` it is called with a sample scene
-  /// and default parameters.
+  /// Makes all choices that depend on the scene, and declares fields, passes, limits on the step and advice. Throws
+  /// Error or BadParameter if the parameters make no sense in this scene. For `plugin info` it is called with a sample
+  /// scene and default parameters.
   virtual void declare(const Scene& scene, PassList& list) = 0;
 };
 

@@ -8,26 +8,26 @@
 
 namespace mesogen {
 
-/// What limits a step.
+/// Cause of a limit on the step.
 enum class StepCause {
   nothing,
-  sound,            ///< sound crosses a smoothing length
+  sound,            ///< time in which sound crosses a smoothing length
   viscosity,        ///< diffusion of momentum
   friction,         ///< decay of momentum by friction
   elasticity,       ///< diffusion of the order tensor
-  elastic_waves,    ///< the director against the fluid's inertia
+  elastic_waves,    ///< waves of the director against the fluid's inertia
   bulk_relaxation,  ///< relaxation of the order
   shear,            ///< velocity gradients
-  other,            ///< what else a plugin knows; its rule says what
-  acceleration,     ///< of particles
-  speed,            ///< of particles
+  other,            ///< any other cause; the rule of the limit names it
+  acceleration,     ///< acceleration of particles
+  speed,            ///< speed of particles
   given,            ///< the case gives the step
 };
 
 /// "sound", "elastic waves", ...; empty for `other`.
 MESOGEN_EXPORT std::string_view to_string(StepCause cause);
 
-/// Limits on the step; the smallest binds.
+/// Limits on the step. The smallest limit counts.
 class MESOGEN_EXPORT StepLimits {
  public:
   struct Limit {
@@ -35,7 +35,7 @@ class MESOGEN_EXPORT StepLimits {
     std::string text;  ///< "sound: 0.25 h / c0"
     double seconds;
   };
-  /// `rule`: how the limit is made, "0.25 h / c0".
+  /// `rule`: formula of the limit, "0.25 h / c0". `seconds`: its value.
   void add(StepCause cause, std::string_view rule, double seconds);
   [[nodiscard]] const std::vector<Limit>& all() const { return limits_; }
 

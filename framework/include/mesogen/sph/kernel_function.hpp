@@ -8,7 +8,7 @@
 
 namespace mesogen::sph {
 
-/// The kernel of a run: its shape and smoothing length.
+/// The kernel of a run: shape and smoothing length.
 struct SmoothingKernel {
   KernelShape shape;
   double smoothing_length = 0.0;  ///< h, m
@@ -36,7 +36,7 @@ template <int Exponent, class Lane>
   }
 }
 
-/// Coefficients of one piece of W and of dW/dr.
+/// Writes the coefficients of one piece of W and of dW/dr.
 template <class Real>
 void scale_piece(const SmoothingKernel& kernel, int k, Real& knot, Real* value, Real* slope) {
   const auto& piece = kernel.shape.pieces[static_cast<unsigned>(k)];
@@ -51,8 +51,8 @@ void scale_piece(const SmoothingKernel& kernel, int k, Real& knot, Real* value, 
 
 }  // namespace detail
 
-/// A normalised kernel of one unrolled form: `Knots` pieces of `Terms` powers from `Power` up. The coefficients stay
-/// data, so the two kernels of one form share their code. Trivially copyable.
+/// A normalised kernel of one form, with unrolled loops: `Knots` pieces of `Terms` powers from `Power` up. Coefficients
+/// are data, so kernels of the same form share their code. Trivially copyable.
 template <class Real, int Knots, int Terms, int Power>
 class KernelFunction {
  public:
@@ -90,8 +90,8 @@ class KernelFunction {
   Real slope_[Knots][Terms];
 };
 
-/// A normalised spline: `Knots` pieces of one power, their signs in turn, the first above 0. A coefficient is part of
-/// its knot, c (k - q)^p = (c^(1/p) k - c^(1/p) q)^p: a quarter fewer instructions. Trivially copyable.
+/// A normalised spline: `Knots` pieces of one power, with alternating signs, the first positive. A coefficient is part
+/// of its knot, c (k - q)^p = (c^(1/p) k - c^(1/p) q)^p, which saves a quarter of the instructions. Trivially copyable.
 template <class Real, int Knots, int Power>
 class SplineFunction {
  public:
@@ -108,7 +108,7 @@ class SplineFunction {
     }
   }
 
-  /// Is this shape such a spline?
+  /// True if the shape is such a spline.
   static bool fits(const KernelShape& shape) {
     if (shape.power != Power || shape.pieces.size() != Knots) return false;
     double sign = 1.0;
@@ -153,7 +153,7 @@ class SplineFunction {
   Line slope_[Knots];
 };
 
-/// A kernel of any form, its loops not unrolled: up to 6 knots, 6 terms. Slower; there so that no shape is refused.
+/// A kernel of any form with up to 6 knots and 6 terms; its loops are not unrolled. Slower, but no shape is refused.
 template <class Real>
 class GeneralKernelFunction {
  public:
@@ -200,7 +200,7 @@ class GeneralKernelFunction {
   Real slope_[most][most];
 };
 
-/// The one run-time choice of a pass: calls `action` with the unrolled form that fits the kernel.
+/// Calls `action` with the unrolled form that fits the kernel. This is the only choice that a pass makes at run time.
 template <class Real, class Action>
 void with_kernel_function(const SmoothingKernel& kernel, Action&& action) {
   const auto is = [&](unsigned knots, unsigned terms, int power) {

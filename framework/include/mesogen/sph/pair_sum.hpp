@@ -4,23 +4,23 @@
 #include "mesogen/sph/kernel_function.hpp"
 #include "mesogen/sph/pairs.hpp"
 
-/// Sums over neighbours. A pass is a small struct, written once for every lane type and for host and device:
+/// Sums over neighbours. A pass is a small struct, written once for all lane types, for host and device:
 ///
 ///     struct MyPass {
-///       static constexpr int sum_count = 2;                  // how many numbers it adds up
+///       static constexpr int sum_count = 2;                  // how many sums it makes
 ///       FieldView<const Real> volume, value;                 // what it reads
 ///       FieldView<Real> result;                              // what it writes
-///       struct Own { Real value; };                          // what it needs of particle i at every pair
+///       struct Own { Real value; };                          // what each pair needs of particle i
 ///       Own load(Index i) const;
 ///       template <class Pair, class Lane>
-///       void pair(const Own& own, const Pair& p, Lane* sum) const;   // add one pair (a lane of pairs)
-///       void finish(Index i, const Own& own, const Real* sum) const; // store the result
+///       void pair(const Own& own, const Pair& p, Lane* sum) const;   // adds one pair (or a pack of pairs)
+///       void finish(Index i, const Own& own, const Real* sum) const; // stores the result
 ///     };
 ///
 /// The pair (i, i) is visited too, with separation exactly zero.
 namespace mesogen::sph {
 
-/// One particle after the other; the sums stay in registers over all packs of its neighbours and are reduced once.
+/// Sums for one particle. They stay in registers over all its neighbours, and their lanes are added up once.
 template <class Real, int Dim, class Kernel, class Pass>
 struct PairLoop {
   using Lane = typename Pairs<Real, Dim, Kernel>::Lane;
@@ -39,7 +39,7 @@ struct PairLoop {
   }
 };
 
-/// Two passes over the same pairs in one loop, which find each distance once. Neither reads what the other writes.
+/// Two passes over the same pairs in one loop, with one distance per pair. Neither reads what the other writes.
 template <class First, class Second>
 struct FusedPass {
   static constexpr int sum_count = First::sum_count + Second::sum_count;
@@ -65,8 +65,8 @@ struct FusedPass {
   }
 };
 
-/// Runs a pass with one kernel function over every particle of the box. The order of summation is the order of storage:
-/// results do not depend on the number of threads.
+/// Runs a pass for every particle of the box, with a given kernel function. Neighbours are summed in the order of
+/// storage, so results do not depend on the number of threads.
 template <class Real, int Dim, class Kernel, class Pass>
 void pair_sum_with(const exec::Space& space, const Neighbours<Real, Dim>& neighbours, const Kernel& function,
                    const Pass& pass) {
@@ -74,7 +74,7 @@ void pair_sum_with(const exec::Space& space, const Neighbours<Real, Dim>& neighb
                  PairLoop<Real, Dim, Kernel, Pass>{Pairs<Real, Dim, Kernel>(neighbours, function), pass});
 }
 
-/// The same with the kernel of the run: the one choice made at run time.
+/// The same with the kernel of the run. The function of the kernel is the one choice made at run time.
 template <class Real, int Dim, class Pass>
 void pair_sum(const exec::Space& space, const Neighbours<Real, Dim>& neighbours, const SmoothingKernel& kernel,
               const Pass& pass) {

@@ -6,7 +6,7 @@
 
 namespace mesogen::sph {
 
-/// One pair, or one pack of pairs (i, j), (i, j + 1), ... What a pass does not ask for is not computed.
+/// One pair (i, j), or one pack of pairs (i, j), (i, j + 1), ... Only what a pass asks for is computed.
 template <class Real, int Dim, class LaneType, class Kernel>
 struct Pair {
   using Lane = LaneType;
@@ -18,17 +18,17 @@ struct Pair {
   Real radius;
   Index j;
 
-  /// Value of a field at j.
+  /// Value of a field at particle j, or at the particles of the pack.
   [[gnu::always_inline]] MESOGEN_HOST_DEVICE Lane load(const FieldView<const Real>& field, int component = 0) const {
     return load_from(field.base + component * field.stride + j);
   }
   /// W(r_ij), 1/m^Dim.
   [[gnu::always_inline]] MESOGEN_HOST_DEVICE Lane value() const { return kernel.value(distance); }
-  /// W'(r_ij) / r_ij: times the separation it is the gradient of W with respect to r_i. 1/m^(Dim + 2), negative.
+  /// W'(r_ij) / r_ij, 1/m^(Dim + 2), negative. Times the separation, it is the gradient of W with respect to r_i.
   [[gnu::always_inline]] MESOGEN_HOST_DEVICE Lane gradient() const {
     return kernel.derivative(distance) * inverse_distance;
   }
-  /// The given lane where j is within the support, zero elsewhere: for sums that the kernel does not weight.
+  /// Returns x where j is within the support, zero elsewhere. For sums that the kernel does not weight.
   [[gnu::always_inline]] MESOGEN_HOST_DEVICE Lane inside(const Lane& x) const {
     return exec::where_less(distance, Lane(radius), x);
   }
@@ -45,7 +45,7 @@ struct Pair {
   }
 
  public:
-  /// `at`: r_i in the coordinates of j. `least_square`: added to the square of the distance.
+  /// `at`: r_i in the coordinates of j, m. `least_square`: added to the square of the distance, m^2.
   [[gnu::always_inline]] MESOGEN_HOST_DEVICE Pair(const Neighbours<Real, Dim>& n, const Kernel& k, Index first,
                                                   const Lane (&at)[Dim], const Lane& least_square)
       : kernel(k), radius(n.radius), j(first) {
@@ -58,8 +58,8 @@ struct Pair {
   }
 };
 
-/// All pairs of a particle, one after the other: a pack at a time on the host, one by one on a device. Trivially
-/// copyable.
+/// Visits all pairs of a particle: on the host one pack of neighbours at a time, on a device one neighbour at a time.
+/// Trivially copyable.
 template <class Real, int Dim, class Kernel>
 class Pairs {
  public:
@@ -68,7 +68,7 @@ class Pairs {
 
   Pairs(const Neighbours<Real, Dim>& neighbours, const Kernel& kernel) : neighbours_(neighbours), kernel_(kernel) {}
 
-  /// action(pair) for every pair (i, j) within the support, (i, i) among them, and some beyond it.
+  /// Calls action(pair) for every pair (i, j) within the support, (i, i) included, and for some pairs beyond it.
   template <class Action>
   MESOGEN_HOST_DEVICE void visit(Index i, const Action& action) const {
     int at[Dim];
@@ -92,7 +92,7 @@ class Pairs {
     }
   }
 
-  /// action(pack) for packs that hold every pair (i, j) within the support, (i, i) among them, and some beyond it.
+  /// Calls action(pack) for packs that hold every pair (i, j) within the support, (i, i) included, and some beyond it.
   template <class Action>
   [[gnu::always_inline]] void visit(Index i, const Action& action) const {
     const Centre centre = place(i);
@@ -103,7 +103,7 @@ class Pairs {
           neighbours_.block[block], [&](int, const auto& pack) __attribute__((always_inline)) { action(pack); });
   }
 
-  /// Where a particle is, the same in every lane.
+  /// Position of a particle, the same in every lane, m.
   struct Centre {
     Lane local[Dim];
   };
@@ -115,7 +115,7 @@ class Pairs {
     return centre;
   }
 
-  /// action(lane, pack) for the packs of one block, lane by lane.
+  /// Calls action(lane, pack) for the packs of one block. `lane`: number of the first lane of the pack in the block.
   template <class Action>
   [[gnu::always_inline]] void visit_block(const Centre& centre, const NeighbourBlock& block,
                                           const Action& action) const {
@@ -140,7 +140,7 @@ class Pairs {
   Neighbours<Real, Dim> neighbours_;
   Kernel kernel_;
 #ifndef __CUDACC__
-  // Lanes past the end of a block hold other particles, in the coordinates of another tile: moved out of reach.
+  // Lanes past the end of a block hold other particles, in coordinates of another tile: this moves them out of reach.
   Real least_square_[2 * width];
 #endif
 };

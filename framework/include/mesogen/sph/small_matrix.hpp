@@ -2,14 +2,14 @@
 
 #include "mesogen/exec/lanes.hpp"
 
-/// The little linear algebra of a particle, or of a pack of particles: symmetric Dim x Dim matrices from their upper
+/// Linear algebra of one particle or of a pack of particles: symmetric Dim x Dim matrices, stored as their upper
 /// triangle.
 namespace mesogen::sph {
 
 template <int Dim>
 inline constexpr int symmetric_components = Dim*(Dim + 1) / 2;
 
-/// Place of (row, column) in the upper triangle, row by row.
+/// Index of (row, column) in the upper triangle, stored row by row.
 template <int Dim>
 MESOGEN_HOST_DEVICE constexpr int symmetric_index(int row, int column) {
   const int r = row < column ? row : column;
@@ -19,7 +19,7 @@ MESOGEN_HOST_DEVICE constexpr int symmetric_index(int row, int column) {
 
 namespace detail {
 
-/// 1 / determinant, or zero where the matrix is singular (`unit` is 1 there, else zero).
+/// Returns 1 / determinant, or zero if the matrix is singular. `unit` becomes 1 if it is singular, else zero.
 template <class Number, class Real>
 [[gnu::always_inline]] MESOGEN_HOST_DEVICE inline Number inverse_determinant(const Number& determinant, Real,
                                                                              Number& unit) {
@@ -32,8 +32,8 @@ template <class Number, class Real>
 
 }  // namespace detail
 
-/// inverse = matrix^-1, both Dim x Dim row by row; the identity where the matrix is singular. `Number` is Real or a
-/// pack of them.
+/// Sets inverse = matrix^-1, Dim x Dim, row by row; the identity if the matrix is singular. `Number` is Real or a pack
+/// of Reals.
 template <class Real, int Dim, class Number>
 MESOGEN_HOST_DEVICE void invert_symmetric(const Number* upper, Number* inverse) {
   Number unit;

@@ -4,16 +4,16 @@
 
 #include "mesogen/plugin/advice.hpp"
 
-/// Advice about nematics, for PassList::advice.
+/// Advice about nematics, for PassList::advice. Each function appends to `list` what it finds.
 namespace mesogen::nematics {
 
-/// How well the defects' cores are resolved by the particles.
+/// Advice if the particles resolve the cores of defects too coarsely or more finely than needed.
 void advise_on_cores(const AdviceContext& context, std::vector<Suggestion>& list);
 
-/// Whether the order lasts. `section` is that of the nematic, with the keys bulk.A and bulk.C.
+/// Advice if the order does not last. The context's section is the nematic's, with the keys bulk.A and bulk.C.
 void advise_on_order(const AdviceContext& context, std::vector<Suggestion>& list);
 
-/// Whether the activity is above the threshold of the instability in this box. `section` has the key activity.
+/// Advice if the activity is too low for the instability in this box. The context's section has the key activity.
 void advise_on_activity(const AdviceContext& context, std::vector<Suggestion>& list);
 
 }  // namespace mesogen::nematics

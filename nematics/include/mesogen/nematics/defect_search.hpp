@@ -7,13 +7,13 @@
 
 namespace mesogen::nematics {
 
-/// How an observer looks for defects: two parameters that all who look for them share, and what is found with them.
+/// How an observer finds defects: two parameters that all such observers share, and the search itself.
 struct DefectSearch {
-  double merge_distance = 1.5;    ///< particle spacings
-  double smoothing_length = 1.0;  ///< particle spacings
+  double merge_distance = 1.5;    ///< in particle spacings
+  double smoothing_length = 1.0;  ///< in particle spacings
 
   void parameters(ParameterList& list);
-  /// The defects of the field `order_tensor`, without close pairs of opposite charges.
+  /// Returns the defects of the field `order_tensor`, without close pairs of opposite charges.
   [[nodiscard]] std::vector<Defect> find(const ObserverContext& context) const;
 };
 

@@ -23,34 +23,34 @@ struct OrderTensor {
 
 /// The order tensor on a regular grid, and the defects of its director.
 ///
-/// The grid has as many nodes along each axis as spacings fit; between walls they begin and end half a spacing off
-/// them, and no plaquette reaches across. The value at a node is the mean of the particles around it, weighted by a
-/// kernel: Q(x) = sum_j W(x - x_j) Q_j / sum_j W(x - x_j) (Shepard 1968).
+/// The number of nodes along each axis is that of the particle spacings that fit. Between walls the first and last node
+/// are half a spacing off the walls, and no plaquette reaches across them. The value at a node is the mean of the
+/// particles around it, weighted by a kernel: Q(x) = sum_j W(x - x_j) Q_j / sum_j W(x - x_j) (Shepard 1968).
 class DirectorGrid {
  public:
-  /// `points`, `values`: by particle id. `kernel`: the weights.
+  /// `points`, `values`: positions (m) and order tensors of the particles, by particle id. `kernel`: gives the weights.
   DirectorGrid(const Scene& scene, const std::vector<std::array<double, 2>>& points,
                const std::vector<OrderTensor>& values, const sph::SmoothingKernel& kernel);
-  /// Of the field `order_tensor` that an observer sees, averaged by the run's kernel with a smoothing length of so many
-  /// spacings.
+  /// Uses the field `order_tensor` that an observer sees. The weights are the run's kernel with this smoothing length,
+  /// in particle spacings.
   DirectorGrid(const ObserverContext& context, double smoothing_length);
 
-  /// One for each plaquette (square of four nodes) around which the director turns by half a turn. The turn along an
-  /// edge is taken the short way, and the two plaquettes beside it count the same number with opposite signs: so the
-  /// charges of a periodic box sum to exactly 0, whatever the data.
+  /// Returns one defect for each plaquette (square of four nodes) around which the director turns by half a turn. The
+  /// turn along an edge is taken the short way. The two plaquettes beside an edge count the same number with opposite
+  /// signs, so the charges of a periodic box sum to exactly 0 for any data.
   [[nodiscard]] std::vector<Defect> defects() const;
 
  private:
   [[nodiscard]] std::size_t node(int i, int j) const;
-  /// Where Q, interpolated bilinearly in plaquette (i, j), is zero: (s, t), each in [0, 1].
+  /// Returns the point (s, t) in plaquette (i, j), each in [0, 1], where the bilinear interpolation of Q is zero.
   [[nodiscard]] std::array<double, 2> zero(int i, int j) const;
-  /// The direction, seen from the defect, in which the director is radial. With k = +-1/2 the charge,
+  /// The direction, seen from the defect, in which the director is radial. With k = +-1/2 the charge, it is
   ///
   ///     k / (1 - k) * atan2( <sgn(k) d_x Q12 - d_y Q11> , <d_x Q11 + sgn(k) d_y Q12> )
   ///
-  /// (Vromans & Giomi, Soft Matter 12, 6490, 2016), the gradients being means over the 3 x 3 plaquettes around it.
-  /// +1/2: that of div Q, from the head of the comet to its tail, in (-pi, pi]; an extensile defect moves the other
-  /// way. -1/2: one of the three legs, in [-pi/3, pi/3].
+  /// (Vromans & Giomi, Soft Matter 12, 6490, 2016). The gradients are means over the 3 x 3 plaquettes around the
+  /// defect. For +1/2 it is the direction of div Q, from the head of the comet to its tail, in (-pi, pi]; an extensile
+  /// defect moves in the opposite direction. For -1/2 it is one of the three legs, in [-pi/3, pi/3].
   [[nodiscard]] double orientation(int i, int j, double charge) const;
 
   std::array<int, 2> nodes_{};
@@ -60,11 +60,11 @@ class DirectorGrid {
   std::vector<OrderTensor> tensor_;
 };
 
-/// Without pairs of opposite charges closer than `distance`, m: closest pairs first. The total charge stays as it is.
+/// The defects without pairs of opposite charges closer than `distance`, m, closest pairs first; same total charge.
 std::vector<Defect> without_close_pairs(const std::vector<Defect>& defects, const Scene& scene, double distance);
 
-/// Smallest distance between defects of opposite charges, m; across the faces of the box where it is periodic. NaN
-/// where there is no such pair.
+/// Returns the smallest distance between defects of opposite charges, m, across periodic faces too. NaN if there is no
+/// such pair.
 double pair_distance(const std::vector<Defect>& defects, const Scene& scene);
 
 }  // namespace mesogen::nematics

@@ -23,78 +23,78 @@
 
 namespace mesogen::testing {
 
-/// The scene that a plugin is tested in: a square or cubic box of particles.
+/// The scene in which a plugin is tested: a square or cubic box of particles.
 struct TestScene {
   int dimension = 0;                       ///< 0: the fewest in which the tested plugin can be used
   double length = 1.0;                     ///< edge of the box, m
-  int across = 20;                         ///< particles along it
-  std::string arrangement = "jittered";    ///< lattice, hexagonal, or jittered: the same each time
-  std::string kernel = "quintic";          ///< h = 4/3 spacings
+  int across = 20;                         ///< number of particles along the edge
+  std::string arrangement = "jittered";    ///< lattice, hexagonal or jittered (always the same jitter)
+  std::string kernel = "quintic";          ///< name of the plugin; h = 4/3 spacings
   std::string boundary = "periodic_wrap";  ///< name of the plugin
   Precision precision = Precision::double_precision;
   std::string device = "cpu";               ///< as run.device of a case
-  double step = 0.0;                        ///< s; 0: as long as the plugins allow
-  std::string more;                         ///< further sections of a case: "[physics.flow]\ntype = ..."
-  std::map<std::string, double> constants;  ///< that other plugins would publish
+  double step = 0.0;                        ///< step size, s; 0: the largest that the plugins allow
+  std::string more;                         ///< more sections of a case: "[physics.flow]\ntype = ..."
+  std::map<std::string, double> constants;  ///< constants that other plugins would publish
 };
 
-/// Folders in which the tested plugins lie, separated by colons; mesogen_add_plugin defines it for its tests.
+/// Folders of the tested plugins, separated by colons; mesogen_add_plugin defines it for its tests.
 #ifndef MESOGEN_TESTED_PLUGINS
 #define MESOGEN_TESTED_PLUGINS ""
 #endif
 
-/// A plugin library in a scene of its own, loaded and run as a run does it: by the real loader, case reader, scheduler
-/// and integrator, so that it fails here with the words with which it would fail there.
+/// A plugin library in a scene of its own, loaded and run as in a real run: by the real loader, case reader, scheduler
+/// and integrator. A plugin therefore fails here with the same messages as in a run.
 ///
 ///     PluginHarness drag(PluginKind::physics, "friction", "coefficient = 0.6");
 ///     drag.set("velocity", {3.0, -4.0}).set("density", {2.0});
 ///     drag.run("friction");
 ///     EXPECT_DOUBLE_EQ(drag.value("acceleration", 0), -0.6 / 2.0 * 3.0);
 ///
-/// Fields that nobody in the scene makes are given: they start with seeded random numbers (scalars 0.5 to 1.5, other
-/// components -0.5 to 0.5; fields that are advanced in time within 0.05 of 0), or with what `set` says. Nothing is
-/// pruned: every field that somebody makes can be looked at, and its gradient and Laplacian if it is a state.
-/// Particles are named by their ids. The scene is put together when something is first asked of it; what is wrong with
-/// the plugin or its keys is thrown then, as mesogen::Error.
+/// The harness gives the fields that no plugin of the scene makes. They start with the values of `set`, or with seeded
+/// random numbers (scalars 0.5 to 1.5, other components -0.5 to 0.5; fields that are advanced in time within 0.05 of
+/// 0). No pass is left out: every field that a plugin makes can be read, and also its gradient and Laplacian if it is a
+/// state. Particles are named by their ids. The harness builds the scene at the first call that needs it, and throws
+/// mesogen::Error then if the plugin or its keys are wrong.
 class MESOGEN_EXPORT PluginHarness {
  public:
   using Function = std::function<double(double x, double y)>;
   using Quantities = std::map<std::string, std::vector<double>, std::less<>>;
 
-  /// `keys`: as in the plugin's section of a case, one a line.
+  /// `keys`: as in the plugin's section of a case, one per line.
   PluginHarness(PluginKind kind, std::string_view name, std::string_view keys = "", const TestScene& scene = {},
                 std::string_view folders = MESOGEN_TESTED_PLUGINS);
-  /// The scene of a complete case.
+  /// Uses the scene of a complete case.
   explicit PluginHarness(std::string_view case_text, std::string_view folders = MESOGEN_TESTED_PLUGINS);
   PluginHarness(PluginHarness&&) noexcept;
   ~PluginHarness();
 
-  /// Gives a field: each component the same everywhere, or a function of the position. How many components it has is
-  /// told by the plugins that know it; of a field that none knows, by the values.
+  /// Gives a field: for each component one value for all particles, or a function of the position. The plugins that
+  /// know the field define its number of components; if no plugin knows it, the values define it.
   PluginHarness& set(std::string_view field, std::initializer_list<double> components);
   PluginHarness& set(std::string_view field, std::initializer_list<Function> components);
-  /// Puts a field that other plugins know into the scene, with seeded numbers: what the plugin reads if it is present.
+  /// Adds a field that other plugins know, with seeded random numbers: for what the plugin reads if present.
   PluginHarness& give(std::string_view field);
-  /// One component, by particle.
+  /// Gives one component, one value per particle.
   PluginHarness& set_values(std::string_view field, int component, std::vector<double> values);
-  /// Other random numbers for all fields that were not set.
+  /// Uses other random numbers for all fields that were not set.
   PluginHarness& seed(std::int64_t seed);
-  /// What PassContext::step_size says when single passes run, s.
+  /// Sets what PassContext::step_size returns when single passes run, s.
   PluginHarness& set_step_size(double seconds);
 
-  /// One pass of the plugin by itself. What it adds to starts from what `set` gave it, or 0.
+  /// Runs one pass of the plugin alone. A field to which it adds starts from what `set` gave, or from 0.
   void run(std::string_view pass);
-  /// All passes of a phase, as in a step: each accumulator starts from 0.
+  /// Runs all passes of a phase, as in a step: each field that passes add to starts from 0.
   void run(Phase phase);
-  /// The rates at the initial state, and the observer's start. `step`, `run_until` and `sample` do it themselves.
+  /// Computes the initial rates, and starts the observer. `step`, `run_until` and `sample` call it themselves.
   void start();
   void step(int steps = 1);
   void run_until(double seconds);
-  /// What the observer records now: exactly the quantities of its plan, each of whole rows.
+  /// Returns what the observer records now: exactly the quantities of its plan, each with complete rows.
   Quantities sample();
-  /// Goes on where another harness of the same scene stands, by a checkpoint of that, as `mesogen resume` does.
+  /// Continues from the state of another harness of the same scene, by its checkpoint, as `mesogen resume` does.
   void resume_from(PluginHarness& other);
-  /// Of that, what concerns the observer: start(), then what its save() gave in another scene, and its time, s.
+  /// Restores only the observer: start(), then what its save() returned in another scene, and that one's time, s.
   void restore(const std::map<std::string, std::vector<double>>& saved, double time);
 
   [[nodiscard]] std::vector<double> values(std::string_view field, int component = 0);
@@ -103,28 +103,28 @@ class MESOGEN_EXPORT PluginHarness {
   [[nodiscard]] std::vector<double> position(int axis);
   /// Coordinates without jumps at the faces, m.
   [[nodiscard]] std::vector<double> path(int axis);
-  /// Moves particles, each by (x, y), m.
+  /// Moves each particle by (x, y), m.
   PluginHarness& move(const Function& x, const Function& y);
-  /// The observer samples particles that are stored in another order; nothing else changes.
+  /// Stores the particles in another order for the observer's samples; nothing else changes.
   PluginHarness& shuffle(std::int64_t seed);
   [[nodiscard]] double time();
   [[nodiscard]] std::int64_t particles();
-  /// With the scales and constants of all plugins.
+  /// The scene, with the scales and constants of all plugins.
   [[nodiscard]] Scene scene();
   [[nodiscard]] sph::SmoothingKernel smoothing();
-  /// Seconds by the text of each limit on the step.
+  /// Limits on the step, s, by their texts.
   [[nodiscard]] std::map<std::string, double> step_limits();
-  /// Every field that can be looked at.
+  /// Every field that can be read.
   [[nodiscard]] std::vector<std::string> fields();
   [[nodiscard]] int components(std::string_view field);
 
-  /// The tested plugin itself, until a field is set; throws if it is of another kind.
+  /// The tested plugin itself, valid until a field is set. Throws if it is of another kind.
   [[nodiscard]] Kernel& kernel();
   [[nodiscard]] Boundary& boundary();
   [[nodiscard]] Initial& initial();
   [[nodiscard]] Physics& physics();
   [[nodiscard]] Observer& observer();
-  /// What it declared.
+  /// What the tested plugin declared.
   [[nodiscard]] const PassList& passes();
   [[nodiscard]] const InitialPlan& initial_plan();
   [[nodiscard]] const ObserverPlan& plan();
