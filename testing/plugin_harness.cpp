@@ -145,7 +145,7 @@ PluginHarness& PluginHarness::move(const Function& x, const Function& y) {
 
 void PluginHarness::run(std::string_view pass) {
   HarnessRun& run = implementation_->running();
-  run.stepper().executor().run_alone(run.work(pass));
+  run.stepper().executor().run_alone(run.scheduled(pass));
 }
 
 void PluginHarness::run(Phase phase) {

@@ -61,7 +61,7 @@ ParticleScene::ParticleScene(const Options& options, const std::array<std::vecto
   state_->add_field("f", 1, false);
   fields_ = std::make_unique<DerivedFields>(*state_, catalogue_, derived_from_f, std::vector<std::set<std::string>>{},
                                             DerivedFields::Form{options.consistent_laplacian, !options.still});
-  state_->settle();
+  state_->order.settle();
 }
 
 void ParticleScene::set(const std::function<double(double x, double y)>& function) {
@@ -75,7 +75,7 @@ void ParticleScene::set(const std::function<double(double x, double y)>& functio
 }
 
 std::vector<double> ParticleScene::derived(const std::string& name, int component) {
-  state_->settle();
+  state_->order.settle();
   fields_->make(name);
   const Field& field = state_->fields.at(name);
   const auto id = state_->particles.id.host();
@@ -98,7 +98,7 @@ void ParticleScene::move(const std::function<std::array<double, 2>(std::int64_t 
     const auto shift = by(particles.id.host()[i]);
     for (std::size_t d = 0; d < 2; ++d) particles.position[d].host(exec::Access::read_write)[i] += shift[d];
   }
-  state_->mark_moved();
+  state_->order.mark_moved();
 }
 
 std::array<std::vector<double>, 2> lattice(int columns, int rows, double spacing) {

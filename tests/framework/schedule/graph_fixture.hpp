@@ -57,7 +57,7 @@ class GraphFixture {
 /// Titles of the passes of a phase in the order in which they run.
 inline std::vector<std::string> titles(const StepGraph& graph, Phase phase = Phase::rates) {
   std::vector<std::string> all;
-  for (const std::size_t n : graph.order(phase)) all.push_back(graph.works()[n].title());
+  for (const std::size_t n : graph.order(phase)) all.push_back(graph.passes()[n].title());
   return all;
 }
 

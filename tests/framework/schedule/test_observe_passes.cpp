@@ -34,7 +34,7 @@ TEST(ObservePasses, RunWhenAReaderAsksAndSomethingHasChanged) {
   StepGraph graph(catalogue, {{"physics.mine", &list, "mine"}}, {{"observers.eye", {"seen"}}});
   DerivedFields derived(state, catalogue, {}, {{}}, DerivedFields::Form{});
   Executor executor(state, graph, derived);
-  const auto runs = [&] { return graph.works().back().counter.runs; };
+  const auto runs = [&] { return graph.passes().back().counter.runs; };
   const std::vector<std::string> seen{"seen"};
 
   executor.run(Phase::rates, {true});
