@@ -105,6 +105,11 @@ class PluginCheck(CommandTest):
         self.assert_fails("physics", "adds_stress", published,
                           r"the stress is \d, then \d: publish\(\) is called twice, so raise it by std::max")
 
+    def test_physics_of_one_precision_alone(self):
+        out, _ = self.mesogen("plugin", "check", os.path.join(BROKEN_PLUGINS, "exact", "exact.so"), code=1)
+        self.assertIn("  FAILED  it can be made in single and double precision, in each of its dimensions: the physics "
+                      'plugin "exact" has no form for 2 dimensions in single precision\n', out)
+
     def test_initial(self):
         described = "the fields that it sets are named and described"
         self.assert_fails("initial", "no_doc", described, "'heat' has no doc text or no unit")

@@ -190,6 +190,13 @@ TEST(PluginRegistry, RefusesAFormThatAPluginLacks) {
   EXPECT_EQ(text, "the boundary plugin \"no_form\" has no form for 2 dimensions in double precision");
 }
 
+TEST(PluginRegistry, RefusesAPrecisionThatAPluginLacks) {
+  const auto registry = PluginRegistry::only({broken("exact")});
+  EXPECT_NE(registry.make_physics("exact", Precision::double_precision, 2), nullptr);
+  EXPECT_EQ(error_of(ExitCode::bad_case, [&] { (void)registry.make_physics("exact", Precision::single_precision, 2); }),
+            "the physics plugin \"exact\" has no form for 2 dimensions in single precision");
+}
+
 TEST(PluginRegistry, RefusesADimensionThatAPluginLacks) {
   const auto registry = PluginRegistry::only({broken("solid")});
   const auto refusal = [](const std::string& kind) {
