@@ -188,7 +188,7 @@ CudaBackend on_device() {
                          "; 8.0 or higher is needed"};
   if (properties.concurrentManagedAccess == 0)
     return {nullptr, std::string("the CUDA device ") + properties.name +
-                         " cannot share its memory with the host while it works, as Linux on bare metal can"};
+                         " cannot share its memory with the host while it computes; Linux on bare metal can do so"};
   cudaStream_t stream = nullptr;
   check(cudaStreamCreateWithFlags(&stream, cudaStreamNonBlocking), "making a stream");
   double* there = nullptr;
