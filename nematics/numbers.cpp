@@ -56,8 +56,9 @@ void add_instability(const Scene& scene, std::vector<SceneNumber>& list) {
   add(list, "growth_rate", wave.growth_rate, "1/s", std::string("of the wave in the box that grows fastest: ") + kind);
   add(list, "growth_time", 1.0 / wave.growth_rate, "s", "time in which that wave grows e-fold");
   add(list, "growth_wave_length", wave.length, "m", "length of that wave");
-  add(list, "waves_in_box", longest_edge(scene) / wave.length, "1", "how many of them fit the longest edge");
-  add(list, "growth_rate_without_inertia", wave.without_inertia, "1/s", "the same if the fluid had no mass");
+  add(list, "waves_in_box", longest_edge(scene) / wave.length, "1", "how many such waves fit the longest edge");
+  add(list, "growth_rate_without_inertia", wave.without_inertia, "1/s",
+      "growth rate of that wave if the fluid had no mass");
   add(list, "inertia", inertial_time(scene) / (1.0 / wave.growth_rate), "1",
       "inertial time over growth time: below 0.1 the fluid's mass hardly matters");
 }
@@ -96,8 +97,8 @@ void add_flow_numbers(const Scene& scene, std::vector<SceneNumber>& list) {
   const double viscosity = scene.constant("viscosity");
   if (speed > 0.0 && viscosity > 0.0) {
     add(list, "speed", speed, "m/s",
-        scene.scales.speed > 0.0 ? "u, as expected, at the start or at a wall"
-                                 : "u = |zeta| l_Q / mu; none is expected");
+        scene.scales.speed > 0.0 ? "u, the largest of expected_speed, the initial speed and the speeds of walls"
+                                 : "u = |zeta| l_Q / mu, because the case names no speed");
     add(list, "reynolds_box", reynolds_number(scene), "1", "rho u L / mu");
     add(list, "mach", speed / scene.constant("sound_speed"), "1", "u / c0");
     add(list, "ericksen", viscosity * speed * shortest_edge(scene) / scene.constant("elastic_constant"), "1",
