@@ -43,15 +43,16 @@ std::string plugin_name_problem(std::string_view name) {
   if (!std::ranges::all_of(name, allowed) || name.front() < 'a' || name.back() == '_' ||
       name.find("__") != std::string_view::npos)
     return fmt::format(
-        "\"{}\" cannot be the name of a plugin: take small letters, digits and single underscores "
-        "between them, beginning with a letter, such as my_force",
+        "\"{}\" cannot be the name of a plugin: use small letters and digits, with single underscores between them, "
+        "and begin with a letter, such as my_force",
         name);
   if (contains(keywords, name))
     return fmt::format("\"{}\" cannot be the name of a plugin: it is a word of C++; take another, such as my_{}", name,
                        name);
   if (name == "mesogen" || name.starts_with("mesogen_"))
     return fmt::format(
-        "\"{}\" cannot be the name of a plugin: targets of Mesogen are called so; take another, such as my_plugin",
+        "\"{}\" cannot be the name of a plugin: a build target of Mesogen has this name; take another, such as "
+        "my_plugin",
         name);
   if (contains(targets, name))
     return fmt::format(

@@ -15,12 +15,11 @@ namespace {
 
 constexpr std::string_view introduction =
     "# Reference\n\n"
-    "Every key of a case, and every plugin with its parameters, fields, passes and quantities. Written by `mesogen "
-    "reference` from the\n"
-    "declarations that read and check a case; not to be edited. `mesogen schema -o case.schema.json` gives the same "
-    "to editors: with\n"
-    "`#:schema ./case.schema.json` as its first line a case is completed and checked while it is written (taplo, "
-    "\"Even Better TOML\").\n";
+    "This page lists every key of a case, and every plugin with its parameters, fields, passes and quantities.\n"
+    "`mesogen reference` writes it from the declarations that read and check a case; do not edit it.\n"
+    "`mesogen schema -o case.schema.json` gives the same to editors. If the first line of a case is\n"
+    "`#:schema ./case.schema.json`, an editor completes and checks the case while you write it (taplo, \"Even Better "
+    "TOML\").\n";
 
 std::string cell(std::string text) {
   for (std::size_t at = 0; (at = text.find('|', at)) != std::string::npos; at += 2) text.insert(at, 1, '\\');

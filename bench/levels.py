@@ -23,9 +23,11 @@ from mesogen.runs.markdown import table_lines  # noqa: E402
 PUBLISHED, EULERIAN = "published", "eulerian"
 HEAD = """# The cheapest variant for each error
 
-Wall time (s) of one core to stay within an error, interpolated between measured points and never beyond them; where particles that stay (`eulerian`) are the cheapest, then also the
-cheapest that move. In brackets that of the default and of the published scheme, "-" where no
-resolution that was run stays within the error. Variants are those of `studies/accuracy/variants`; made by `scripts/accuracy`.
+This table gives, for each scene and each error that you accept, the cheapest variant and its wall time on one core, s.
+Times are interpolated between measured points, never beyond them. If particles that do not move (`eulerian`) are the
+cheapest, the table also gives the cheapest variant whose particles move. In brackets: the time of the default and of
+the published scheme, "-" if no resolution that was run stays within the error. Variants are those of
+`studies/accuracy/variants`. `scripts/accuracy` writes this page.
 """
 
 

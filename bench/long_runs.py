@@ -14,6 +14,7 @@ import os
 import subprocess
 import sys
 import tempfile
+import textwrap
 
 import numpy as np
 
@@ -89,9 +90,12 @@ def main():
     mesogen = os.path.abspath(options.mesogen)
     end = options.steps * step_of_default(mesogen, options.across)
     lines = ["# What a long run keeps", "",
-             f"The deterministic benchmark, {options.across} x {options.across} particles, goes on to t = {end:.0f} s: "
-             "from about 50 s on it is chaotic. The rms of the volumes is over all particles of the second half, means are over "
-             "the last three quarters. Made by `bench/long_runs.py`.", "",
+             *textwrap.wrap(
+                 f"This page shows what {options.steps:,} steps keep: how evenly particles lie, the density, and the "
+                 f"momentum. The deterministic benchmark with {options.across} x {options.across} particles continues to "
+                 f"t = {end:.0f} s; from about 50 s on it is chaotic. The rms of the volumes is over all particles in "
+                 "the second half of the time. Means are over the last three quarters. `bench/long_runs.py` writes "
+                 "this page.", 120), "",
              "| form | steps | volumes: rms, % | mean extremes, % | extremes ever, % | nearest two ever, dx | density ever, % | "
              "momentum / (mass x largest v_rms) | v_rms, m/s |", "|---|---|---|---|---|---|---|---|---|"]
     for name, changes in FORMS:
@@ -104,8 +108,9 @@ def main():
                 with run:
                     lines.append(row(name, run))
     print(file=sys.stderr)
-    lines += ["", "The drift of momentum is a uniform flow that grows by chance: it changes no other flow, but it is in paths and in v_rms. "
-                  "What is left of it with conservative forces is the viscosity's."]
+    lines += ["", *textwrap.wrap(
+        "The drift of momentum is a uniform flow that grows by chance. It does not change the rest of the flow, but it "
+        "adds to paths and to v_rms. The drift that is left with conservative forces comes from the viscosity.", 120)]
     text = "\n".join(lines) + "\n"
     if options.output:
         with open(options.output, "w", encoding="utf-8") as file:

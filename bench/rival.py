@@ -160,7 +160,7 @@ def page(found, threads, machine, version):
     cost = "processor time of stepping" if threads == 1 else f"wall time of stepping, Mesogen with {threads} threads"
     lines = ["# Particles against a grid", "",
              f"The deterministic benchmark to {END:g} s: {cost}; {machine}; {version}. `finite volume`: a serial "
-             "solver on a staggered grid (`bench/reference/finite_volume`). Made by `bench/rival.py`.", ""]
+             "solver on a staggered grid (`bench/reference/finite_volume`). `bench/rival.py` measures this table.", ""]
     header = ["method", "across", "error", "time (s)", "steps", "pressure", "diffusion"]
     rows = [[r.variant, r.across, "" if math.isnan(r.error) else percent(r.error),
              f"{r.seconds:.3g}" + ("" if r.source == "run" else " (predicted)"), r.steps,
@@ -169,8 +169,8 @@ def page(found, threads, machine, version):
     lines += [*table_lines(header, rows, left=("method",)), ""]
     orders = [f"{variant} {order(line):.1f}" for variant in [*FLOWS, *GRIDS] if len(line := points(found, variant)) > 1]
     lines += [f"Order of convergence: {', '.join(orders)}.", "",
-              f"Time of `{RIVAL}` over that of particles, at the same resolution and for the same error (`>`: its "
-              "finest run is still less exact):", ""]
+              f"Time of `{RIVAL}` divided by that of particles, at the same resolution and for the same error (`>`: the "
+              f"finest run of `{RIVAL}` is still less exact):", ""]
     header = ["across"] + [f"{flow}, same {what}" for flow in FLOWS for what in ("resolution", "error")]
     same = {flow: at_equal_resolution(found, flow) for flow in FLOWS}
     error = {flow: at_equal_error(found, flow) for flow in FLOWS}

@@ -56,8 +56,9 @@ void add_instability(const Scene& scene, std::vector<SceneNumber>& list) {
   add(list, "growth_rate", wave.growth_rate, "1/s", std::string("of the wave in the box that grows fastest: ") + kind);
   add(list, "growth_time", 1.0 / wave.growth_rate, "s", "time in which that wave grows e-fold");
   add(list, "growth_wave_length", wave.length, "m", "length of that wave");
-  add(list, "waves_in_box", longest_edge(scene) / wave.length, "1", "how many of them fit the longest edge");
-  add(list, "growth_rate_without_inertia", wave.without_inertia, "1/s", "the same if the fluid had no mass");
+  add(list, "waves_in_box", longest_edge(scene) / wave.length, "1", "how many such waves fit the longest edge");
+  add(list, "growth_rate_without_inertia", wave.without_inertia, "1/s",
+      "growth rate of that wave if the fluid had no mass");
   add(list, "inertia", inertial_time(scene) / (1.0 / wave.growth_rate), "1",
       "inertial time over growth time: below 0.1 the fluid's mass hardly matters");
 }
@@ -80,11 +81,12 @@ void add_active_numbers(const Scene& scene, std::vector<SceneNumber>& list) {
   add(list, "active_length", length, "m", "l_Q = sqrt(K / |zeta|)");
   add(list, "active_length_in_spacings", length / scene.spacing, "1", "l_Q / dx");
   add(list, "box_in_active_lengths", shortest_edge(scene) / length, "1", "L / l_Q, L the shortest edge of the box");
-  add(list, "active_speed", active_speed(scene), "m/s", "|zeta| l_Q / mu, what the active stress drives over l_Q");
+  add(list, "active_speed", active_speed(scene), "m/s",
+      "|zeta| l_Q / mu, the speed that the active stress drives over l_Q");
   if (viscosity > 0.0) {
     const double speed = length * activity / scene.constant("rotational_diffusivity");
     add(list, "paper_speed", speed, "m/s",
-        "v_Q = l_Q |zeta| / Gamma as the literature has it, Gamma's number taken for a viscosity");
+        "v_Q = l_Q |zeta| / Gamma as in the literature, with the number of Gamma in place of a viscosity");
     add(list, "reynolds_active", physical_density(scene) * speed * length / viscosity, "1", "rho v_Q l_Q / mu");
   }
   add_instability(scene, list);
@@ -95,8 +97,8 @@ void add_flow_numbers(const Scene& scene, std::vector<SceneNumber>& list) {
   const double viscosity = scene.constant("viscosity");
   if (speed > 0.0 && viscosity > 0.0) {
     add(list, "speed", speed, "m/s",
-        scene.scales.speed > 0.0 ? "u, as expected, at the start or at a wall"
-                                 : "u = |zeta| l_Q / mu; none is expected");
+        scene.scales.speed > 0.0 ? "u, the largest of expected_speed, the initial speed and the speeds of walls"
+                                 : "u = |zeta| l_Q / mu, because the case names no speed");
     add(list, "reynolds_box", reynolds_number(scene), "1", "rho u L / mu");
     add(list, "mach", speed / scene.constant("sound_speed"), "1", "u / c0");
     add(list, "ericksen", viscosity * speed * shortest_edge(scene) / scene.constant("elastic_constant"), "1",
@@ -105,13 +107,13 @@ void add_flow_numbers(const Scene& scene, std::vector<SceneNumber>& list) {
   if (scene.constant("physical_density") > 0.0) {
     const double ratio = scene.constant("relaxation_ratio");
     add(list, "artificial_density", scene.constant("density"), "kg/m3",
-        formatted("of the momentum equation, as inertia = false: momentum relaxes at least %.3g times faster than the "
-                  "nematic changes, so growth rates are up to %.2g %% too low",
+        formatted("of the momentum equation, because inertia = false: momentum relaxes at least %.3g times faster than "
+                  "the nematic changes, so growth rates are up to %.2g %% too low",
                   ratio, 100.0 / ratio));
   }
   // Does the fluid's mass matter? By the box: what fills it comes to rest last.
   add(list, "inertial_time", inertial_time(scene), "s",
-      "rho L^2 / (4 pi^2 mu), the longest wave's relaxation by viscosity");
+      "rho L^2 / (4 pi^2 mu), in which viscosity relaxes the longest wave");
 }
 
 double active_speed(const Scene& scene) {

@@ -41,19 +41,23 @@ COLUMNS = ["variant", "across", "particles", "steps", "core_seconds", "particle_
            "volume_ratio"]  # largest over smallest volume of a particle at the end
 TEXT = """# Mesogen beside PySPH
 
-Taylor-Green vortices, Re = 100, doubly periodic, to t = 0.4 s (U = L = 1): as many particles, c0 = 10 U, quintic kernel, one core each. Time: processor time of the
-time steps; error: of the rms velocity against the exact decay; spread: largest over smallest particle volume at the end. {note}
+Taylor-Green vortices at Re = 100, doubly periodic, to t = 0.4 s (U = L = 1). All programs have the same number of
+particles, c0 = 10 U, the quintic kernel and one core. Time is the processor time of the steps. The error is that of the
+rms velocity against the exact decay. Spread is the largest over the smallest particle volume at the end. {note}
 
 ![error against time](peers.png)
 
 {table}
 
-- All start on a lattice unless "jittered": each particle moved by up to 0.1 dx along each axis. From a lattice PySPH's example loses far more speed than it should; with
-  its own option `--perturb` it does much better, so it is shown with that too.
-- The error is that of one number at one time, and passes through 0 as a run goes on: a small one can be luck. EDAC's does not fall from 50² to 100².
-- PySPH's own defaults are h = 1 dx for TVF and EDAC; Mesogen's is h = 4/3 dx, which costs 1.8 times as many pairs.
+- All start on a lattice unless "jittered", where each particle is moved by up to 0.1 dx along each axis. From a lattice
+  the example of PySPH loses far more speed than it should; with its own option `--perturb` it is much better, so both
+  are shown.
+- The error is that of one number at one time. It passes through 0 during a run, so a small error can be luck. The error
+  of EDAC does not fall from 50² to 100².
+- The default of PySPH is h = 1 dx for TVF and EDAC. The default of Mesogen is h = 4/3 dx, which costs 1.8 times as many
+  pairs.
 
-Made by `bench/peers/taylor_green.py`; what it needs is in `bench/peers/README.md`.
+`bench/peers/taylor_green.py` writes this page; `bench/peers/README.md` says what it needs.
 """
 
 

@@ -11,7 +11,7 @@ CudaBackend cuda_backend() {
   Dl_info info{};
   // Any symbol of this library tells where it lies.
   if (dladdr(reinterpret_cast<const void*>(&cuda_backend), &info) == 0 || info.dli_fname == nullptr)
-    return {nullptr, "libmesogen cannot tell where it lies"};
+    return {nullptr, "libmesogen cannot find the folder that it is in"};
   const auto file = std::filesystem::absolute(info.dli_fname).parent_path() / "libmesogen_cuda.so";
   if (!std::filesystem::exists(file))
     return {nullptr,

@@ -32,9 +32,8 @@ class Written {
 
   [[nodiscard]] std::string text() const {
     return fmt::format(
-        "{:.6g} frames of {:.3g} MB and {:.6g} checkpoints of {:.3g} MB take {:.3g} GB of disk, frames twice while "
-        "they "
-        "are packed at the end",
+        "{:.6g} frames of {:.3g} MB and {:.6g} checkpoints of {:.3g} MB need {:.3g} GB of disk (frames are there twice "
+        "while they are packed at the end)",
         frames_, frame_ / 1e6, kept_ + others_, checkpoint_ / 1e6, most() / 1e9);
   }
 
@@ -82,7 +81,7 @@ std::optional<Excess> beyond_disk(const Setup& setup, double free) {
   if (remedy.empty()) remedy = "make room, or take fewer particles or fields";
   const bool every = setup.source.output.checkpoint_every.has_value();
   const std::string key = !kept ? "interval" : every ? "checkpoint_every" : "checkpoint_times";
-  return Excess{"output." + key, fmt::format("{}, where {:.3g} GB are free; {}", written.text(), free / 1e9, remedy)};
+  return Excess{"output." + key, fmt::format("{}, but {:.3g} GB are free; {}", written.text(), free / 1e9, remedy)};
 }
 
 }  // namespace mesogen

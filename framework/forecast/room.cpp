@@ -73,7 +73,7 @@ std::optional<Fitting> fitting(const Case& source, double available, const std::
 
 void refuse_particles(const Case& source, double needed, double available, const std::optional<Fitting>& fits,
                       Problems& problems) {
-  const std::string text = fmt::format("{:.6g} particles need {} of memory, where {} are available", count_of(source),
+  const std::string text = fmt::format("{:.6g} particles need {} of memory, but {} are available", count_of(source),
                                        gigabytes(needed), gigabytes(available));
   problems.add(source.place("particles.spacing"), "particles.spacing",
                fits ? fmt::format("{}; {:.6g} particles fit, with a spacing of {:.12g} {}", text, fits->particles,
@@ -95,8 +95,8 @@ void refuse_samples(const Setup& setup, double available, Problems& problems) {
     const double fewer = available / 4.0 / bytes;
     const std::string key = "observers." + observer.instance + (observer.timing.every ? ".every" : ".interval");
     problems.add(setup.source.place(key), key,
-                 fmt::format("{:.3g} samples are kept in memory until the run ends and take {}, where {} are "
-                             "available; take at least {:.3g}{}",
+                 fmt::format("{:.3g} samples are kept in memory until the run ends and need {}, but {} are available; "
+                             "choose at least {:.3g}{}",
                              samples, gigabytes(samples * bytes), gigabytes(available),
                              observer.timing.every ? std::ceil(steps / fewer) : setup.source.time.end / fewer,
                              observer.timing.every ? " steps" : " " + setup.source.units.time));

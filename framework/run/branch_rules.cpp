@@ -75,7 +75,7 @@ void check_fields(const Setup& after, const Checkpoint& checkpoint, Problems& pr
                              fmt::join(missing, ", "), text));
   };
   complain(needed, stored, "would be new: leave out the plugins that bring them");
-  complain(stored, needed, "would have nobody who advances them: keep the plugins that do");
+  complain(stored, needed, "would have no plugin that advances them: keep the plugins that do");
 }
 
 void check_numbers(const Setup& after, const Checkpoint& checkpoint, Problems& problems) {
@@ -125,11 +125,11 @@ void check_branched_setup(const Setup& before, const Setup& after, const Checkpo
   check_fields(after, checkpoint, problems);
   check_numbers(after, checkpoint, problems);
   if (!(source.time.end > Arrival{checkpoint.time, checkpoint.step_size}.reaches()))
-    problems.add(source.place("time.end"), "time.end",
-                 fmt::format("must be later than the branch, t = {}, but is {}: say how long it is to go on, such as "
-                             "--set time.end={}",
-                             source.units.time_text(checkpoint.time), source.units.time_text(source.time.end),
-                             rounded_text(2.0 * checkpoint.time)));
+    problems.add(
+        source.place("time.end"), "time.end",
+        fmt::format("must be later than the branch, t = {}, but is {}: give a later end, such as --set time.end={}",
+                    source.units.time_text(checkpoint.time), source.units.time_text(source.time.end),
+                    rounded_text(2.0 * checkpoint.time)));
 }
 
 bool same_cells(const Setup& before, const Setup& after) {

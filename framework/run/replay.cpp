@@ -174,10 +174,10 @@ ExitCode replay_run(const PluginRegistry& registry, const ReplayOptions& options
   const StoredFrames frames(results);
   if (frames.count() == 0)
     throw Error(ExitCode::bad_case, options.folder.string() + " holds no frames yet: there is nothing to replay");
-  log.info(
-      fmt::format("{} observers look at {} frames, from t = {} to {} {}, each at all of them whatever its interval",
-                  setup->observers.size(), frames.count(), rounded_text(frames.stamp(0).time),
-                  rounded_text(frames.stamp(frames.count() - 1).time), setup->source.units.time));
+  log.info(fmt::format(
+      "{} observers look at {} frames, from t = {} to {} {}; each observer samples all of them, whatever its interval",
+      setup->observers.size(), frames.count(), rounded_text(frames.stamp(0).time),
+      rounded_text(frames.stamp(frames.count() - 1).time), setup->source.units.time));
   write_samples(output, results, Replay(*setup, frames, options.folder, log).run());
   log.info("samples are in " + output.string());
   return ExitCode::done;

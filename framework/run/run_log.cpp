@@ -27,7 +27,7 @@ void log_device(Log& log, const Setup& setup) {
   for (const auto& member : setup.physics)
     if (!member.on_device)
       log.warn(member.instance + " computes on the host, since '" + member.type +
-               "' has no code for CUDA: fields go there and back at every step");
+               "' has no code for CUDA: its fields are copied to the host and back at every step");
 }
 
 void log_changes(Log& log, const Setup& setup, Stepper& stepper) {

@@ -53,13 +53,14 @@ std::string StepGraph::text() const {
     }
   }
   if (!derived_for_integration_.empty())
-    text += fmt::format("offered by the framework, every step\n      {}\n", fmt::join(derived_for_integration_, ", "));
+    text += fmt::format("computed by the framework, every step\n      {}\n", fmt::join(derived_for_integration_, ", "));
   std::set<std::string> seldom;
   for (const auto& derived : derived_for_reader_)
     for (const std::string& field : derived)
       if (!derived_for_integration_.contains(field)) seldom.insert(field);
   if (!seldom.empty())
-    text += fmt::format("offered by the framework, when a reader is due\n      {}\n", fmt::join(seldom, ", "));
+    text += fmt::format("computed by the framework, when an observer or a frame needs it\n      {}\n",
+                        fmt::join(seldom, ", "));
   const Transport& flow = transport_;
   if (flow.velocity.empty()) {
     text += "nothing moves: neighbours are found once\n";

@@ -148,9 +148,10 @@ void StepGraph::check_fields() const {
                                                   "' for readers: a pass of Phase::observe writes what it makes");
       for (const std::string& field : scheduled.pass.write_list)
         if (catalogue_.outlasts_step(field))
-          throw Error(ExitCode::plugin_refused, "'" + scheduled.title() + "' writes '" + field +
-                                                    "' for readers, which keeps its value from step to step: who "
-                                                    "looks must change nothing");
+          throw Error(
+              ExitCode::plugin_refused,
+              "'" + scheduled.title() + "' writes '" + field +
+                  "' for readers, which keeps its value from step to step: an observation must not change the run");
     }
     for (const auto* const list : {&scheduled.pass.write_list, &scheduled.pass.accumulate_list})
       for (const std::string& field : *list)
@@ -204,7 +205,7 @@ void StepGraph::follow(const std::string& field, const std::string& wanted_by, N
     for (auto link = need.chain.rbegin(); link != need.chain.rend(); ++link) chain += "\n  " + *link;
     throw Error(ExitCode::bad_case,
                 "nobody in this case provides the field" + chain +
-                    "\nAdd a physics plugin that writes it (`mesogen plugin list`), or remove what wants it");
+                    "\nAdd a physics plugin that writes it (`mesogen plugin list`), or remove what needs it");
   }
   need.chain.pop_back();
 }

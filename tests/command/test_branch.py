@@ -84,8 +84,8 @@ class Branches(CommandTest):
 
     def test_from_the_newest_checkpoint(self):
         err = self.refused()
-        self.assertIn("time.end: must be later than the branch, t = 0.125 s, but is 0.125 s: say how long it is to "
-                      "go on, such as --set time.end=0.25", err)
+        self.assertIn("time.end: must be later than the branch, t = 0.125 s, but is 0.125 s: give a later end, "
+                      "such as --set time.end=0.25", err)
         self.mesogen("branch", "out", "new", "--set", "time.end=0.1875", "--quiet")
         self.mesogen("resume", "out", "--set", "time.end=0.1875", "--quiet")
         self.assertTrue(self.same("out", "new"))
@@ -124,7 +124,7 @@ class Branches(CommandTest):
                 ("domain.boundary={type=\"walls\"}", "domain.boundary: cannot change from periodic faces to walls"),
                 ('physics.flow={type="incompressible", density=1.0, viscosity=0.5}',
                  "physics: a branch has the fields that the run advances, no more and no fewer, but acceleration, "
-                 "compression would have nobody who advances them"),
+                 "compression would have no plugin that advances them"),
                 ('physics.flow={type="incompressible", density=1.0, viscosity=0.5}',
                  'physics.flow: goes on from 240 numbers ("velocity") and the checkpoint has 0: keep the plugin')):
             self.assertIn(expected, self.refused("--at", "0.0625", "--set", change), change)

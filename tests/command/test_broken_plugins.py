@@ -172,7 +172,7 @@ class Misbehaving(CommandTest):
             "reads what nobody writes": (2, r"case\.toml: nobody in this case provides the field\n    'bad', wanted by "
                                             r"'physics\.bad: work'\n    'acceleration', wanted by the time integration"
                                             r"\n  Add a physics plugin that writes it \(`mesogen plugin list`\), or "
-                                            r"remove what wants it"),
+                                            r"remove what needs it"),
         }
         for misdeed, (code, text) in expected.items():
             with self.subTest(misdeed):

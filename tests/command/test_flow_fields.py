@@ -71,8 +71,8 @@ class FlowFields(CommandTest):
         walls = CASE.replace('boundary = "periodic_wrap"', 'boundary = { type = "walls", axes = ["y"] }')
         for verb in (["check"], ["run", "--output", "out"]):
             _, err = self.mesogen(verb[0], self.write_case(walls), *verb[1:], code=2)
-            self.assertIn("the stream function is made of periodic waves, and this box has walls: take stream_function "
-                          "out of output.fields and of what observers read", err)
+            self.assertIn("the stream function exists only in a periodic box, and this box has walls: remove "
+                          "stream_function from output.fields and from what observers read", err)
         alone = walls.replace(', "stream_function"', "")
         self.mesogen("run", self.write_case(alone), "--output", "vorticity", "--quiet")
 

@@ -49,16 +49,16 @@ class PluginNew(CommandTest):
 
     def test_names_that_cannot_be(self):
         for name in ("MyForce", "my-force", "2nd_force", "_force", "force_", "my__force", "kräfte", "a/b", "../force"):
-            self.assertIn(f'"{name}" cannot be the name of a plugin: take small letters, digits and single underscores '
-                          "between them, beginning with a letter, such as my_force", self.refused("physics", name))
+            self.assertIn(f'"{name}" cannot be the name of a plugin: use small letters and digits, with single '
+                          "underscores between them, and begin with a letter, such as my_force", self.refused("physics", name))
         self.assertIn("a plugin needs a name, such as my_force", self.refused("physics", ""))
         self.assertIn('"double" cannot be the name of a plugin: it is a word of C++; take another, such as my_double',
                       self.refused("physics", "double"))
         self.assertIn('"test" cannot be the name of a plugin: builds have a target of this name; take another, such as '
                       "my_test", self.refused("physics", "test"))
         for name in ("mesogen", "mesogen_options"):
-            self.assertIn(f'"{name}" cannot be the name of a plugin: targets of Mesogen are called so; take another, such '
-                          "as my_plugin", self.refused("physics", name))
+            self.assertIn(f'"{name}" cannot be the name of a plugin: a build target of Mesogen has this name; take '
+                          "another, such as my_plugin", self.refused("physics", name))
         self.assertIn("builds have a target of this name", self.refused("physics", "programs"))
         self.assertEqual(os.listdir(self.folder), [])
 

@@ -52,7 +52,7 @@ class Replay(CommandTest):
     def test_frames_as_often_as_samples_give_the_numbers_of_the_run(self):
         self.run_once(RUN.replace('"density"]', '"density", "compression"]'))
         _, err = self.mesogen("replay", "out")
-        self.assertIn("5 observers look at 11 frames, from t = 0 to 0.5 s, each at all of them whatever its interval", err)
+        self.assertIn("5 observers look at 11 frames, from t = 0 to 0.5 s; each observer samples all of them, whatever its interval", err)
         self.assertIn("observers.paths follows every step of a run; here it sees the frames alone, and goes straight from "
                       "one to the next", err)
         self.assertIn("samples are in out/replay.h5", err)

@@ -43,8 +43,8 @@ class TooLittleRoom(CommandTest):
         case = self.write_case()
         out, err = self.mesogen("check", case, "--quick", "--set", "output.interval=1e-11", code=2)
         self.assertRegex(err, r"(?m)^error: --set: output\.interval: 1e\+10 frames of 0\.0184 MB and 2 checkpoints of "
-                              r"\S+ MB take \S+ GB of disk, frames twice while they are packed at the end, where \S+ GB are free; an "
-                              r"interval of \S+ s or more fits\n$")
+                              r"\S+ MB need \S+ GB of disk \(frames are there twice while they are packed at the end\), but "
+                              r"\S+ GB are free; an interval of \S+ s or more fits\n$")
         self.assertIn("case.toml cannot be run here\n", out)
         interval = re.search(r"interval of (\S+) s or more fits", err)[1]
         out, _ = self.mesogen("check", case, "--quick", "--set", f"output.interval={interval}")
@@ -55,9 +55,9 @@ class TooLittleRoom(CommandTest):
         for command in (["check", case, "--quick"], ["run", case, "--output", "out"]):
             _, err = self.mesogen(*command, "--set", "observers.flow.interval=1e-13", code=2)
             self.assertRegex(err, r"(?m)^error: --set: observers\.flow\.interval: 1e\+12 samples are kept in memory until the "
-                                  r"run ends and take \S+ GB, where \S+ GB are available; take at least \S+ s\n$")
+                                  r"run ends and need \S+ GB, but \S+ GB are available; choose at least \S+ s\n$")
         self.assertFalse(os.path.exists(self.path("out")))
-        interval = re.search(r"take at least (\S+) s", err)[1]
+        interval = re.search(r"choose at least (\S+) s", err)[1]
         self.mesogen("check", case, "--quick", "--set", f"observers.flow.interval={interval}")
 
     def test_memory_of_a_large_case_is_told_without_taking_it(self):
@@ -101,7 +101,7 @@ class TooLittleMemory(CommandTest):
 
     def refusal(self, *arguments):
         _, err = self.limited(*arguments, code=2)
-        found = re.match(r"error: \S*: particles\.spacing: \S+ particles need (\S+) GB of memory, where (\S+) GB are "
+        found = re.match(r"error: \S*: particles\.spacing: \S+ particles need (\S+) GB of memory, but (\S+) GB are "
                          r"available; (\S+) particles fit, with a spacing of (\S+) m\n$", err)
         self.assertIsNotNone(found, err)
         return [float(number) for number in found.groups()]

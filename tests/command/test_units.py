@@ -99,7 +99,7 @@ class Units(CommandTest):
                 (text.replace("[40, 20]", "[4e-9, 2e-9]"), ["particles.spacing=1e-10"], r"spacings go from \S+ to \S+ um; "),
                 (defects, [], "row 1: must lie in the box, y from 0 to 20 um, where this axis ends at walls, but is at 30"),
                 (text, ["particles.spacing=0.0007"], r"particles fit, with a spacing of \S+ um"),
-                (text, ["observers.flow.interval=1e-14"], r"take at least \S+ ms"),
+                (text, ["observers.flow.interval=1e-14"], r"choose at least \S+ ms"),
                 (text, ["output.interval=1e-13"], r"an interval of \S+ ms or more fits"),
                 (text.replace('"walls", anchoring = "planar"', '"wall_nowhere"'), [], r"wall particle 0 is at \(nan, -0.01, 0\) um")):
             arguments = [word for setting in settings for word in ("--set", setting)]

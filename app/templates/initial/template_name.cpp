@@ -12,12 +12,12 @@ using namespace mesogen;
 
 class TemplateNamePlugin final : public Initial {
  public:
-  // Keys of its section in a case, [template_name], checked before a run: unit, range, and a default or required().
+  // Keys of its section in a case, [template_name]: unit, range, and a default or required(). Checked before a run.
   void parameters(ParameterList& list) override {
     list.number("speed", speed_).unit("m/s").required().doc("U: largest speed");
   }
 
-  // All fields that it sets. Others by sets("order_tensor", Rank::order_tensor): any field that the case has.
+  // All fields that it sets. Others are set by sets("order_tensor", Rank::order_tensor): any field that the case has.
   void plan(InitialPlan& plan) const override { plan.sets_velocity("velocity").unit("m/s").doc("u").shown(); }
 
   // Particle by particle. Random numbers: exec::random_uniform(seed, particle, stream), from mesogen/exec/random.hpp.

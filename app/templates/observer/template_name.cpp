@@ -20,7 +20,7 @@ class TemplateNamePlugin final : public Observer {
   // Without this line: in any dimension.
   static constexpr DimensionSet dimensions{2};
 
-  // What it reads and what it records; keys of its section in a case would be named in parameters(), as in a physics
+  // What the observer reads and records. Keys of its section in a case would be named in parameters(), as in a physics
   // plugin.
   void plan(const Scene&, ObserverPlan& plan) override {
     plan.reads("velocity");
@@ -28,7 +28,7 @@ class TemplateNamePlugin final : public Observer {
     plan.scalar("highest").unit("m/s").doc("highest mean speed of all samples so far");
   }
 
-  // Summed by particle id, because the order of storage changes during a run: so the sum always has the same bits.
+  // Summed by particle id: the order of storage changes during a run, but the sum must always have the same bits.
   void sample(const ObserverContext& context, Sample& sample) override {
     const ById particles(context);
     const auto u = particles.values("velocity", 0);
@@ -41,8 +41,8 @@ class TemplateNamePlugin final : public Observer {
     sample.set("highest", highest_);
   }
 
-  // What it gathers from sample to sample goes into checkpoints: otherwise a resumed run begins without it. An observer
-  // that keeps nothing needs neither function.
+  // Checkpoints save what the observer gathers from sample to sample; otherwise a resumed run starts without it. An
+  // observer that keeps nothing needs neither function.
   [[nodiscard]] std::map<std::string, std::vector<double>> save() const override { return {{"highest", {highest_}}}; }
   void restore(const std::map<std::string, std::vector<double>>& saved) override {
     highest_ = saved.at("highest").at(0);

@@ -7,7 +7,7 @@ namespace {
 
 using namespace mesogen;
 
-/// What is done at particle i, on host and device.
+/// Work at particle i, on host and device.
 template <class Real>
 struct AddForce {
   FieldView<const Real> density;
@@ -21,12 +21,12 @@ struct AddForce {
 template <class Real, int Dim>
 class TemplateNamePlugin final : public Physics {
  public:
-  // Keys of its section in a case, checked before a run: unit, range, and a default or required().
+  // Keys of the plugin's section in a case: unit, range, and a default or required(). Checked before a run.
   void parameters(ParameterList& list) override {
     list.number("force", force_).unit("N/m3").required().doc("F: force per volume along x");
   }
 
-  // All fields that the pass touches. More of them: `mesogen plugin info wcsph`, and X_gradient, X_laplacian of each X.
+  // All fields that the pass uses. `mesogen plugin info wcsph` lists more; each X also has X_gradient and X_laplacian.
   void declare(const Scene&, PassList& list) override {
     list.pass("template_name").reads({"density"}).accumulates({"acceleration"}).run([this](const PassContext& context) {
       exec::for_each(context.space(), context.count(),
@@ -37,8 +37,8 @@ class TemplateNamePlugin final : public Physics {
   // A force that grows with velocity or gradients limits the step: list.step_limit(), see plugins/physics/friction.
   // What other plugins should know goes into publish().
   //
-  // Fields that are advanced in time are saved in checkpoints. Numbers of its own that a pass changes, and needs again
-  // at the next step, are saved if declare() names them; otherwise a resumed run begins without them:
+  // Checkpoints save fields that are advanced in time. If a pass changes numbers of its own and needs them at the next
+  // step, declare() must name them; otherwise a resumed run starts without them:
   //
   //     std::vector<double> memory_ = {0.0};
   //     list.keep("memory", 1, [this] { return std::span(memory_); });    // and .advances_what_is_kept() of that pass

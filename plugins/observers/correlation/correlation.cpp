@@ -103,8 +103,8 @@ class Correlation final : public Observer {
   }
 
   void plan(const Scene& scene, ObserverPlan& plan) override {
-    mesh::needs_periodic_box(scene,
-                             "correlations are those of periodic fields, and this box has walls: leave them out");
+    mesh::needs_periodic_box(
+        scene, "correlations exist only for periodic fields, and this box has walls: remove this observer");
     plan_table(scene);
     plan.reads("velocity");
     plan.scalar("velocity_beyond")
@@ -140,7 +140,8 @@ class Correlation final : public Observer {
     // A last separation that falls short by rounding is one of them.
     const double last = std::floor(0.5 * shortest / step_ + 1e-9);
     if (last < 1.0)
-      throw Error(ExitCode::bad_case, "separation_step: correlations go to half the shortest edge, and this is beyond");
+      throw Error(ExitCode::bad_case,
+                  "separation_step: must be at most half the shortest edge of the box, where the correlations end");
     rows_ = static_cast<std::size_t>(last) + 1;
   }
 

@@ -216,13 +216,13 @@ std::string refusal(const std::string& keys, const TestScene& scene) {
 TEST(Correlation, SaysWhatIsWrong) {
   TestScene scene = scene_of(20, "lattice");
   EXPECT_NE(refusal("separation_step = 1.1", scene)
-                .find("separation_step: correlations go to half the shortest edge, and this is beyond"),
+                .find("separation_step: must be at most half the shortest edge of the box, where the correlations end"),
             std::string::npos)
       << refusal("separation_step = 1.1", scene);
   scene.boundary = "walls";
-  EXPECT_NE(
-      refusal("", scene).find("correlations are those of periodic fields, and this box has walls: leave them out"),
-      std::string::npos)
+  EXPECT_NE(refusal("", scene).find(
+                "correlations exist only for periodic fields, and this box has walls: remove this observer"),
+            std::string::npos)
       << refusal("", scene);
 }
 

@@ -166,7 +166,8 @@ class EnergySpectrum final : public Observer {
   }
 
   void plan(const Scene& scene, ObserverPlan& plan) override {
-    mesh::needs_periodic_box(scene, "a spectrum is one of periodic fields, and this box has walls: leave it out");
+    mesh::needs_periodic_box(
+        scene, "a spectrum exists only for periodic fields, and this box has walls: remove this observer");
     for (const auto& range : ranges_)
       if (!(range[0] < range[1]))
         throw Error(ExitCode::bad_case, "slopes: a range must go from a wave number to a larger one");

@@ -164,9 +164,9 @@ TEST(EnergySpectrum, WallsAreRefused) {
     harness.sample();
     FAIL() << "a spectrum between walls";
   } catch (const Error& error) {
-    EXPECT_NE(
-        std::string(error.what()).find("a spectrum is one of periodic fields, and this box has walls: leave it out"),
-        std::string::npos)
+    EXPECT_NE(std::string(error.what())
+                  .find("a spectrum exists only for periodic fields, and this box has walls: remove this observer"),
+              std::string::npos)
         << error.what();
   }
 }

@@ -61,8 +61,8 @@ requires(Dim == 2) class FlowFields final : public Physics {
   void find_stream_function(const PassContext& context) {
     if (!periodic_)
       throw Error(ExitCode::bad_case,
-                  "the stream function is made of periodic waves, and this box has walls: take stream_function out of "
-                  "output.fields and of what observers read");
+                  "the stream function exists only in a periodic box, and this box has walls: remove stream_function "
+                  "from output.fields and from what observers read");
     if (!stream_function_) stream_function_ = std::make_unique<StreamFunction>(grid_);
     stream_function_->find(context, context.read<Real>("velocity"), context.write<Real>("stream_function"));
   }

@@ -125,8 +125,8 @@ TEST(FlowFields, BetweenWallsThereIsVorticityAlone) {
   } catch (const Error& error) {
     EXPECT_EQ(error.code(), ExitCode::bad_case);
     EXPECT_NE(std::string(error.what())
-                  .find("the stream function is made of periodic waves, and this box has walls: take stream_function "
-                        "out of output.fields and of what observers read"),
+                  .find("the stream function exists only in a periodic box, and this box has walls: remove "
+                        "stream_function from output.fields and from what observers read"),
               std::string::npos)
         << error.what();
   }

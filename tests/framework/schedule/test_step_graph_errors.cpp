@@ -78,7 +78,7 @@ TEST(StepGraphErrors, FieldThatNobodyWritesIsTracedBack) {
             "  'order_tensor', wanted by 'order_tensor_gradient'\n"
             "  'order_tensor_gradient', wanted by 'physics.active: active stress'\n"
             "  'a', wanted by the time integration\n"
-            "Add a physics plugin that writes it (`mesogen plugin list`), or remove what wants it");
+            "Add a physics plugin that writes it (`mesogen plugin list`), or remove what needs it");
 }
 
 TEST(StepGraphErrors, PluginThatCanDoNothingIsNamed) {
@@ -126,7 +126,7 @@ TEST(StepGraphErrors, ReaderWithoutItsFieldIsNamed) {
   EXPECT_EQ(all.refusal(),
             "nobody in this case provides the field\n"
             "  'velocity', wanted by observers.flow\n"
-            "Add a physics plugin that writes it (`mesogen plugin list`), or remove what wants it");
+            "Add a physics plugin that writes it (`mesogen plugin list`), or remove what needs it");
 }
 
 TEST(StepGraphErrors, CycleIsShownEdgeByEdge) {
@@ -160,8 +160,8 @@ TEST(StepGraphErrors, WhatIsMadeForReadersIsNeitherAddedToNorLasts) {
   flow.pass("move", Phase::end).writes({"u"});
   flow.pass("look", Phase::observe).writes({"u"});
   EXPECT_EQ(lasts.refusal(ExitCode::plugin_refused),
-            "'flow: look' writes 'u' for readers, which keeps its value from step to step: who looks must change "
-            "nothing");
+            "'flow: look' writes 'u' for readers, which keeps its value from step to step: an observation must not "
+            "change the run");
 }
 
 TEST(StepGraphErrors, InitialConditionSetsWhatAPassMakes) {
