@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "exec/reductions.hpp"
+#include "mesogen/exec/dispatch.hpp"
 #include "particles/field_loops.hpp"
 
 /// The loops over fields as the compiler of this file makes them: included once by the host's backend, once by that of
@@ -165,8 +166,8 @@ class FieldLoopsImpl final : public FieldLoops<Real> {
     for_each(space_, count, Zero<Real>{field, components}, "zeroing a field");
   }
   void advect(const AdvectArguments<Real>& arguments, Index count) const override {
-    if (arguments.dimension == 2) return for_each(space_, count, Advect<Real, 2>{arguments}, "advection");
-    for_each(space_, count, Advect<Real, 3>{arguments}, "advection");
+    dispatch(arguments.dimension,
+             [&]<int Dim>() { for_each(space_, count, Advect<Real, Dim>{arguments}, "advection"); });
   }
   Reduction advance(const AdvanceArguments<Real>& arguments, Index count) const override {
     switch (arguments.components) {

@@ -53,18 +53,18 @@ class Walls final : public Boundary {
   }
 
   void prepare(const Scene& scene) override {
-    if (axes_.empty()) refuse("`axes` names no axis: without walls the boundary is \"periodic_wrap\"");
+    if (axes_.empty()) refuse("axes", "names no axis: without walls the boundary is \"periodic_wrap\"");
     for (std::size_t n = 0; n < axes_.size(); ++n)
       if (std::find(axes_.begin(), axes_.begin() + static_cast<std::ptrdiff_t>(n), axes_[n]) !=
           axes_.begin() + static_cast<std::ptrdiff_t>(n))
-        refuse("`axes` names \"" + axes_[n] + "\" twice");
+        refuse("axes", "names \"" + axes_[n] + "\" twice");
     if (anchoring_ != "angle" && (angle_low_ != 0.0 || angle_high_ != 0.0))
-      refuse("`angle_low` and `angle_high` have a meaning only with anchoring = \"angle\"");
-    if (anchoring_ == "none" && order_ != 1.0) refuse("`order` has a meaning only at walls that anchor the director");
+      refuse(angle_low_ != 0.0 ? "angle_low" : "angle_high", "has a meaning only with anchoring = \"angle\"");
+    if (anchoring_ == "none" && order_ != 1.0) refuse("order", "has a meaning only at walls that anchor the director");
     if (anchoring_ != "none" && scene.dimension != 2)
-      refuse("`anchoring` knows the director of two dimensions alone: leave it out");
+      refuse("anchoring", "knows the director of two dimensions alone: leave it out");
     if (anchoring_ != "none" && !scene.constants.contains("elastic_constant"))
-      refuse("`anchoring` needs a nematic: add a [physics.*] section with type = \"beris_edwards\", or leave it out");
+      refuse("anchoring", "needs a nematic: add a [physics.*] section with type = \"beris_edwards\", or leave it out");
   }
 
   [[nodiscard]] Continuation continuation(int axis) const override {
@@ -100,7 +100,7 @@ class Walls final : public Boundary {
   }
 
  private:
-  [[noreturn]] static void refuse(const std::string& what) { throw Error(ExitCode::bad_case, what); }
+  [[noreturn]] static void refuse(const std::string& key, const std::string& what) { throw BadParameter(key, what); }
 
   [[nodiscard]] bool has_wall(int axis) const {
     const char* const name = axis == 0 ? "x" : (axis == 1 ? "y" : "z");

@@ -24,7 +24,7 @@ namespace mesogen::mesh {
 /// on positions and storage, so results are the same bits for any number of threads.
 template <int Dim>
 class ParticleMesh {
-  static_assert(Dim == 2 || Dim == 3);
+  static_assert(Dim > 1 && Dim <= 3);
   static constexpr int reach = CubicSpline::points;
   static constexpr int last = Dim - 1;
   static constexpr int layers_in_slab = 8;
@@ -33,7 +33,7 @@ class ParticleMesh {
   explicit ParticleMesh(const Grid<Dim>& grid)
       : grid_(grid),
         line_(grid.points[0] + reach - 1),
-        lines_in_layer_(Dim == 3 ? grid.points[1] + reach - 1 : 1),
+        lines_in_layer_(layers_are_rows ? 1 : grid.points[1] + reach - 1),
         begin_(static_cast<std::size_t>(grid.row_count()) + 1) {
     for (int d = 0; d < Dim; ++d) cells_per_length_[d] = 1.0 / grid.spacing(d);
   }
@@ -112,7 +112,13 @@ class ParticleMesh {
   }
 
  private:
-  static constexpr int reach_of_rows = Dim == 2 ? reach : reach * reach;
+  /// Rows that a particle uses: `reach` along each axis but the first.
+  static constexpr int reach_of_rows = [] {
+    int rows = 1;
+    for (int d = 1; d < Dim; ++d) rows *= reach;
+    return rows;
+  }();
+  static constexpr bool layers_are_rows = last == 1;
 
   struct Located {
     Index particle;
@@ -128,13 +134,14 @@ class ParticleMesh {
 
   /// Weight of the r-th row that a particle uses.
   [[gnu::always_inline]] static double across(const Located& where, int r) {
-    if constexpr (Dim == 2) return where.weight[1][r];
-    return where.weight[1][r % reach] * where.weight[last][r / reach];
+    double weight = where.weight[1][r % reach];
+    if constexpr (!layers_are_rows) weight *= where.weight[last][r / reach];
+    return weight;
   }
 
   [[nodiscard]] const Located& at(Index n) const { return located_[static_cast<std::size_t>(n)]; }
   [[nodiscard]] Index begin_of_layer(int layer) const {
-    return begin_[static_cast<std::size_t>(layer * (Dim == 3 ? grid_.points[1] : 1))];
+    return begin_[static_cast<std::size_t>(layer * (layers_are_rows ? 1 : grid_.points[1]))];
   }
 
   /// Distance of a coordinate from the origin, in cells.
@@ -228,14 +235,14 @@ class ParticleMesh {
     double numbers[Count];
     value(where.particle, numbers);
     int line = where.row - first_layer;
-    if constexpr (Dim == 3)
+    if constexpr (!layers_are_rows)
       line = (where.row / grid_.points[1] - first_layer) * lines_in_layer_ + where.row % grid_.points[1];
     double* const to = slab + static_cast<std::ptrdiff_t>(line) * line_ + where.column;
     const FourPoints along = load(where.weight[0]);
     for (int r = 0; r < reach_of_rows; ++r) {
       const FourPoints weight = along * FourPoints(across(where, r));
       std::ptrdiff_t down = r % reach;
-      if constexpr (Dim == 3) down += static_cast<std::ptrdiff_t>(r / reach) * lines_in_layer_;
+      if constexpr (!layers_are_rows) down += static_cast<std::ptrdiff_t>(r / reach) * lines_in_layer_;
       double* const points = to + down * line_;
       for (int c = 0; c < Count; ++c)
         store(load(points + c * field) + weight * FourPoints(numbers[c]), points + c * field);
@@ -259,7 +266,7 @@ class ParticleMesh {
       bool begin = true;
       const auto from_slab = [&](int slab, int depth) {
         const double* const from = slab_.data() + (slab * Count + c) * field + depth * layer;
-        if constexpr (Dim == 2) {
+        if constexpr (layers_are_rows) {
           take(to, from, begin);
         } else {
           take(to, from + static_cast<std::ptrdiff_t>(at_row[1]) * line_, begin);
@@ -289,7 +296,7 @@ class ParticleMesh {
     const auto upper = [&](int d, int by) { return (at_row[d] + by) % grid_.points[d]; };
     for (int r = 0; r < reach_of_rows; ++r) {
       int above = upper(1, r % reach);
-      if constexpr (Dim == 3) above += grid_.points[1] * upper(2, r / reach);
+      if constexpr (!layers_are_rows) above += grid_.points[1] * upper(last, r / reach);
       line[r] = lines_.data() + static_cast<std::ptrdiff_t>(above) * line_;
     }
   }

@@ -57,7 +57,8 @@ struct Neighbours {
   Real radius;                      ///< support of the kernel, m
   Real smallest;  ///< added to the square of a distance, so that 1/r is finite for a particle and itself, m^2
 
-  static constexpr int most_segments = Dim == 2 ? 48 : 240;
+  static constexpr int most_segments_by_dimension[] = {0, 1, 48, 240};
+  static constexpr int most_segments = most_segments_by_dimension[Dim];
 
   [[nodiscard]] MESOGEN_HOST_DEVICE int cell_count() const {
     int n = 1;
@@ -82,16 +83,8 @@ struct Neighbours {
 
   /// Writes all runs of particles within reach of a cell to `out`, and returns their number, at most most_segments.
   MESOGEN_HOST_DEVICE int segments(const int (&centre)[Dim], Segment<Real, Dim>* out) const {
-    int count = 0;
-    const int origin = tile_of(centre[0]).first;
     int row[Dim];
-    if constexpr (Dim == 2) {
-      for (row[1] = -reach[1]; row[1] <= reach[1]; ++row[1]) count = add_row(centre, row, origin, out, count);
-    } else {
-      for (row[2] = -reach[2]; row[2] <= reach[2]; ++row[2])
-        for (row[1] = -reach[1]; row[1] <= reach[1]; ++row[1]) count = add_row(centre, row, origin, out, count);
-    }
-    return count;
+    return add_rows<Dim - 1>(centre, row, tile_of(centre[0]).first, out, 0);
   }
 
   /// The group of cells [first, last] along x that contains cell `at`. The coordinates of its particles are relative to
@@ -117,6 +110,19 @@ struct Neighbours {
   }
 
  private:
+  /// All rows within reach along this axis and those before it.
+  template <int Axis>
+  MESOGEN_HOST_DEVICE int add_rows(const int (&centre)[Dim], int (&row)[Dim], int origin, Segment<Real, Dim>* out,
+                                   int count) const {
+    if constexpr (Axis == 0) {
+      return add_row(centre, row, origin, out, count);
+    } else {
+      for (row[Axis] = -reach[Axis]; row[Axis] <= reach[Axis]; ++row[Axis])
+        count = add_rows<Axis - 1>(centre, row, origin, out, count);
+      return count;
+    }
+  }
+
   MESOGEN_HOST_DEVICE int add_row(const int (&centre)[Dim], const int (&row)[Dim], int origin, Segment<Real, Dim>* out,
                                   int count) const {
     int at[Dim];
