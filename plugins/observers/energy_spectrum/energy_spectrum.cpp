@@ -181,7 +181,9 @@ class EnergySpectrum final : public Observer {
         .doc("share of the energy (without that of the mean velocity) in waves beyond the spectrum");
     plan.scalar("mean_wave_number").unit("1/m").doc("mean of k, weighted with the energy");
     if (!ranges_.empty())
-      plan.table("slopes", 4).unit("1/m, 1/m, 1, 1").doc("by range: from, to, slope, its standard error in the fit");
+      plan.table("slopes", 4)
+          .unit("1/m, 1/m, 1, 1")
+          .doc("one row per range: from, to, slope, standard error of the slope in the fit");
   }
 
   void sample(const ObserverContext& context, Sample& sample) override {
