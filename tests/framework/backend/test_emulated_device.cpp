@@ -9,10 +9,12 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "../run/active_scene.hpp"
 #include "emulated_device.hpp"
+#include "run/closest_pair.hpp"
 #include "run/observation.hpp"
 #include "test_plugins.hpp"
 
@@ -136,6 +138,22 @@ TEST(EmulatedDevice, RunsAFlowThatComputesOnTheHost) {
     expect_same(run_emulated(text, others), host);
     expect_same(run_emulated(text, nobody), host);
   }
+}
+
+TEST(EmulatedDevice, ClosestPairIsThatOfTheHost) {
+  const auto closest = [](const SetupAdditions& additions) {
+    const auto setup = put_together(active_scene("single"), built_plugins(), additions);
+    Stepper stepper(*setup);
+    stepper.start();
+    for (int n = 0; n < 10; ++n) stepper.advance(stepper.next_step(1e6), {false});
+    return closest_pair(stepper.state(), 0.3);
+  };
+  exec::EmulatedMemory memory;
+  const EmulatedDevice device(memory);
+  const auto host = closest({});
+  const auto emulated = closest(device.additions(everybody));
+  ASSERT_TRUE(host && emulated);
+  EXPECT_EQ(std::tuple(emulated->a, emulated->b, emulated->distance), std::tuple(host->a, host->b, host->distance));
 }
 
 /// Forgets to copy one way.
