@@ -55,9 +55,8 @@ ExitCode list(const Options& options) {
 void add_quantity(Verb& command) {
   Verb& quantity = command.verb("quantity", "Describe the quantities that the observers of a case record");
   const auto options = std::make_shared<Options>();
-  Verb& verb =
-      quantity.verb("list", "List the quantities as OBSERVER.QUANTITY: form of a sample, unit, meaning; runs nothing",
-                    [options] { return list(*options); });
+  Verb& verb = quantity.verb("list", "List the quantities as OBSERVER.QUANTITY: form, unit and meaning; runs nothing",
+                             [options] { return list(*options); });
   add_case(verb, options->source);
   verb.flag("--json", &options->json, "Print JSON, for programs; columns: numbers in a row, 0 for a single number");
 }

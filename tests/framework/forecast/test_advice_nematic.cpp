@@ -122,7 +122,7 @@ TEST(Advice, ACoreThatNoSpacingResolvesIsTold) {
       std::find_if(all.begin(), all.end(), [](const Suggestion& one) { return one.name == "core_under_resolved"; });
   ASSERT_NE(found, all.end());
   EXPECT_TRUE(found->settings.empty());
-  EXPECT_NE(found->finding.find("is 0.00045 spacings"), std::string::npos) << found->finding;
+  EXPECT_NE(found->finding.find("is only 0.00045 spacings"), std::string::npos) << found->finding;
   EXPECT_EQ(found->gain,
             "cores of 2 spacings need 3.2e+10 particles; instead, choose a smaller box or a larger elastic constant");
 }

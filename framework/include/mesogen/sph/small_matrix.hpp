@@ -30,34 +30,28 @@ template <class Number, class Real>
   return exec::where_less(limit, size, one / determinant);
 }
 
-template <int Dim>
-struct SymmetricInverse;
+}  // namespace detail
 
-template <>
-struct SymmetricInverse<2> {
-  template <class Real, class Number>
-  MESOGEN_HOST_DEVICE static void find(const Number* upper, Number* inverse) {
-    Number unit;
+/// Sets inverse = matrix^-1, Dim x Dim, row by row; the identity if the matrix is singular. `Number` is Real or a pack
+/// of Reals.
+template <class Real, int Dim, class Number>
+MESOGEN_HOST_DEVICE void invert_symmetric(const Number* upper, Number* inverse) {
+  Number unit;
+  if constexpr (symmetric_components<Dim> == 3) {
     const Number& a = upper[0];
     const Number& b = upper[1];
     const Number& c = upper[2];
-    const Number scale = inverse_determinant(a * c - b * b, Real(), unit);
+    const Number scale = detail::inverse_determinant(a * c - b * b, Real(), unit);
     inverse[0] = c * scale + unit;
     inverse[1] = inverse[2] = Number(Real(0)) - b * scale;
     inverse[3] = a * scale + unit;
-  }
-};
-
-template <>
-struct SymmetricInverse<3> {
-  template <class Real, class Number>
-  MESOGEN_HOST_DEVICE static void find(const Number* upper, Number* inverse) {
-    Number unit;
+  } else {
+    static_assert(symmetric_components<Dim> == 6);
     const Number &a = upper[0], &b = upper[1], &c = upper[2], &d = upper[3], &e = upper[4], &f = upper[5];
     const Number minor_a = d * f - e * e;
     const Number minor_b = c * e - b * f;
     const Number minor_c = b * e - c * d;
-    const Number scale = inverse_determinant(a * minor_a + b * minor_b + c * minor_c, Real(), unit);
+    const Number scale = detail::inverse_determinant(a * minor_a + b * minor_b + c * minor_c, Real(), unit);
     inverse[0] = minor_a * scale + unit;
     inverse[1] = inverse[3] = minor_b * scale;
     inverse[2] = inverse[6] = minor_c * scale;
@@ -65,15 +59,6 @@ struct SymmetricInverse<3> {
     inverse[5] = inverse[7] = (b * c - a * e) * scale;
     inverse[8] = (a * d - b * b) * scale + unit;
   }
-};
-
-}  // namespace detail
-
-/// Sets inverse = matrix^-1, Dim x Dim, row by row; the identity if the matrix is singular. `Number` is Real or a pack
-/// of Reals.
-template <class Real, int Dim, class Number>
-MESOGEN_HOST_DEVICE void invert_symmetric(const Number* upper, Number* inverse) {
-  detail::SymmetricInverse<Dim>::template find<Real>(upper, inverse);
 }
 
 }  // namespace mesogen::sph
