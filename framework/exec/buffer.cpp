@@ -70,8 +70,9 @@ void Buffer::resize_for_overwrite(std::size_t bytes) {
   if (bytes > capacity_) {
     const std::size_t room = room_for(bytes, capacity_);
     release();
-    capacity_ = room;
+    bytes_ = capacity_ = 0;  // if there is no room now
     if (memory_ == nullptr) host_ = ::operator new(room);
+    capacity_ = room;
   }
   bytes_ = bytes;
   if (memory_ == nullptr) return;
@@ -101,11 +102,9 @@ void Buffer::make_room(Side side) const {
 void Buffer::bring_to(Side side) const {
   make_room(side);
   if (side == Side::host ? host_valid_ : device_valid_) return;
-  if (side == Side::host) {
-    memory_->to_host(host_, device_, bytes_);
-  } else {
-    memory_->to_device(device_, host_, bytes_);
-  }
+  // Without bytes there may be no room on either side.
+  if (bytes_ != 0 && side == Side::host) memory_->to_host(host_, device_, bytes_);
+  if (bytes_ != 0 && side == Side::device) memory_->to_device(device_, host_, bytes_);
   host_valid_ = device_valid_ = true;
 }
 
