@@ -88,6 +88,7 @@ PluginFacts plugin_facts(const PluginRegistry& registry, const LoadedPlugin& plu
   facts.instruction_set = plugin.instruction_set;
   facts.cuda = facts.kind == PluginKind::physics && registry.has_cuda(facts.name);
   facts.dimensions = usable_dimensions(descriptor).list();
+  facts.any_dimension = descriptor.dimensions == DimensionSet(AllDimensions{});
   const int dimension = registry.smallest_dimension(facts.kind, facts.name);
   switch (facts.kind) {
     case PluginKind::kernel: ask(facts, *registry.make_kernel(facts.name, dimension)); break;

@@ -24,6 +24,7 @@ struct PluginFacts {
   std::string file;
   std::string instruction_set;
   std::vector<int> dimensions;  ///< in which it can be used
+  bool any_dimension = false;   ///< it is limited by what Mesogen is built for alone
   bool cuda = false;            ///< physics: has it a library for CUDA as well?
   std::vector<DeclaredKey> keys;
 

@@ -95,7 +95,8 @@ std::string info_text(const PluginFacts& plugin) {
   Text text;
   text.line("{} {} {}: {}", to_string(plugin.kind), plugin.name, plugin.version, plugin.summary);
   text.line("file: {} ({})", plugin.file, plugin.instruction_set);
-  text.line("dimensions: {}", fmt::join(plugin.dimensions, ", "));
+  text.line("dimensions: {}{}", fmt::join(plugin.dimensions, ", "),
+            plugin.any_dimension ? " (it has a form for any that Mesogen is built for)" : "");
   if (plugin.cuda) text.line("has code for CUDA too");
   text.line("plugin interface: {}, built with {}", plugin.abi, plugin.build_tag);
   tell_keys(text, plugin);

@@ -7,7 +7,7 @@
 #include "particles/field_loops_impl.hpp"
 #include "sph/pair_loops_impl.hpp"
 
-/// A backend's loops as the compiler of this file makes them: included once for the host, once for a device.
+/// All loops of a backend, compiled twice: by g++ for the host, by nvcc for CUDA.
 namespace mesogen::exec {
 
 /// All of a backend but where its memory is, how it waits, and how it puts particles in order.

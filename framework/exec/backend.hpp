@@ -45,8 +45,8 @@ class MESOGEN_EXPORT Backend {
   [[nodiscard]] virtual exec::DeviceMemory* memory() const = 0;
   /// Are its loops compiled as code of the host is? Then pair sums go by blocks of neighbours, otherwise by cells.
   [[nodiscard]] virtual bool has_host_code() const = 0;
-  /// Waits until all that was asked for is done. Throws Error(run_failed) if some of it failed. Only for the time that
-  /// work takes to be told, and errors where they arise: results are waited for where they are read.
+  /// Waits until all that was asked for is done. Throws Error(run_failed) if some of it failed. Used to measure
+  /// the time of work and to find errors where they arise. Arrays wait by themselves where results are read.
   virtual void finish() const = 0;
   /// The same, and brings the results of reductions.
   virtual void wait() const = 0;

@@ -25,7 +25,7 @@ class MESOGEN_EXPORT Buffer {
   explicit Buffer(DeviceMemory* memory) noexcept : memory_(memory) {}
   Buffer(const Buffer& other);
   Buffer(Buffer&& other) noexcept : memory_(other.memory_) { swap(other); }
-  /// A buffer stays in its memory; bytes are copied there.
+  /// Copies the bytes; this buffer stays in its own memory. (A move takes the memory of the other one along.)
   Buffer& operator=(const Buffer& other);
   Buffer& operator=(Buffer&& other) noexcept {
     swap(other);

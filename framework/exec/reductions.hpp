@@ -118,12 +118,12 @@ Reduction find_largest(const Space& space, Reductions& reductions, Index count, 
   double* const largest = reductions.pinned(reduction);
   for (int n = 0; n < Count; ++n) largest[n] = 0.0;
   const Blocks blocks(count);
-  WorkStealing turns(blocks.number());
+  WorkStealing stealing(blocks.number());
 #pragma omp parallel
   {
     [[maybe_unused]] const FlushSubnormals flush;
     Maxima<Count> own{};
-    turns.take([&](Index block) {
+    stealing.take([&](Index block) {
       for (Index i = blocks.begin(block); i < blocks.end(block); ++i) function(i, own);
     });
 #pragma omp critical(mesogen_find_largest)

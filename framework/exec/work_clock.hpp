@@ -8,10 +8,10 @@ namespace mesogen {
 /// How the pieces of work of a run are timed: one `Span` around each, and end_of_work() last in it.
 struct WorkClock {
   const Backend& backend;
-  Trace* trace = nullptr;  ///< of each time that work is done, if one is asked for; must outlive that
-  bool waits = false;      ///< is a device waited for after each piece of work, so that its time is told?
+  Trace* trace = nullptr;  ///< records each piece of work; null: nobody asked for a trace
+  bool waits = false;      ///< wait for the device after each piece of work, so that its time is measured
 
-  /// A device does its work later, unless it is waited for.
+  /// A device does its work later: without this wait a span would measure nothing.
   void end_of_work() const {
     if (waits) backend.finish();
   }

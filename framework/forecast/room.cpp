@@ -121,7 +121,8 @@ void refuse_far_beyond_memory(const Case& source, double available, double progr
 
 void refuse_beyond_memory(const Setup& setup, const MemoryForecast& memory, double available, double program,
                           const SetUpWith& set_up_with, Problems& problems) {
-  // Of a device's memory, which holds what a run on it computes with, the host knows nothing.
+  // The forecast counts memory of the host. A device refuses by itself what it has no room for
+  // (exec/device_memory.hpp).
   if (!(available > 0.0) || !setup.backend->on_host()) return;
   if (memory.peak() > available)
     refuse_particles(setup.source, memory.peak(), available, fitting(setup.source, available, program, set_up_with),

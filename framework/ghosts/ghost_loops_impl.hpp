@@ -4,8 +4,7 @@
 #include "ghosts/images.hpp"
 #include "neighbours/cell_grid.hpp"
 
-/// The loops over ghosts as the compiler of this file makes them: included once by the host's backend, once by that of
-/// a device.
+/// The loops over ghosts, compiled twice: by g++ for the host, by nvcc for CUDA.
 ///
 /// How ghosts are made: particle by particle each counts its images that the box can see, a running sum of the counts
 /// tells where it writes them, and the ghosts are then put in order by cell. So their order does not depend on the

@@ -4,8 +4,7 @@
 #include "neighbours/cell_grid.hpp"
 #include "neighbours/cell_loops.hpp"
 
-/// The loops over particles and the cells that hold them, as the compiler of this file makes them: included once by the
-/// host's backend, once by that of a device.
+/// The loops over particles and the cells that hold them, compiled twice: by g++ for the host, by nvcc for CUDA.
 namespace mesogen::exec {
 
 struct FindCell {

@@ -1,6 +1,5 @@
 #include "neighbours/neighbourhood.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 #include "mesogen/exec/dispatch.hpp"
@@ -195,7 +194,6 @@ void Neighbourhood::build_ghosts() {
     backend_.ghosts().find_ranges(grid_, ghosts_.cell().device(), ghosts_.count(), count + walls_.count(), begin, end);
   backend_.cells().find_ranges(grid_, cell_of_.device(), count, begin, end);
   make_room();
-  ++sorted_version_;
 }
 
 // All but the last few are written by place().
@@ -206,7 +204,7 @@ void Neighbourhood::make_room() {
     local.zero(stored);
   };
   for (int d = 0; d < scene_.dimension; ++d)
-    scene_.precision == Precision::single_precision ? resize(local_single_[d]) : resize(local_double_[d]);
+    dispatch(scene_.precision, [&]<class Real>() { resize(local<Real>()[d]); });
 }
 
 // Coordinates relative to tiles; false if a particle has left the skin.
@@ -227,8 +225,7 @@ bool Neighbourhood::place(const exec::AxisArrays<double>& position, exec::AxisAr
 }
 
 bool Neighbourhood::place(const exec::AxisArrays<double>& position) {
-  return scene_.precision == Precision::single_precision ? place(position, local_single_)
-                                                         : place(position, local_double_);
+  return dispatch(scene_.precision, [&]<class Real>() { return place(position, local<Real>()); });
 }
 
 template <class Real, int Dim>

@@ -70,8 +70,6 @@ class MESOGEN_EXPORT Neighbourhood {
   [[nodiscard]] double skin() const { return skin_; }
   /// Raised whenever a particle has moved: what was computed from positions is out of date.
   [[nodiscard]] std::uint64_t version() const { return version_; }
-  /// Raised whenever the ghosts are others.
-  [[nodiscard]] std::uint64_t sorted_version() const { return sorted_version_; }
   [[nodiscard]] std::int64_t sortings() const { return sortings_; }
 
   /// For pair sums on this side. Blocks lie on the host: where code goes by cells, there are none.
@@ -86,6 +84,14 @@ class MESOGEN_EXPORT Neighbourhood {
   void build_ghosts();
   void make_room();
   void place_mirrors();
+  template <class Real>
+  [[nodiscard]] exec::AxisArrays<Real>& local() {
+    if constexpr (sizeof(Real) == sizeof(float)) {
+      return local_single_;
+    } else {
+      return local_double_;
+    }
+  }
   template <class Real>
   [[nodiscard]] bool place(const exec::AxisArrays<double>& position, exec::AxisArrays<Real>& local) const;
   [[nodiscard]] bool place(const exec::AxisArrays<double>& position);
@@ -123,7 +129,6 @@ class MESOGEN_EXPORT Neighbourhood {
   };
   Scratch scratch_;
   std::uint64_t version_ = 0;
-  std::uint64_t sorted_version_ = 0;
   std::int64_t sortings_ = 0;
 };
 

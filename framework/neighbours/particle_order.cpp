@@ -54,6 +54,7 @@ void ParticleOrder::sort_for_memory() {
   const Span span(sorting_, clock_.trace);
   permute_fields(neighbourhood_.reorder(particles_));
   moved_ = true;
+  clock_.end_of_work();
 }
 
 void ParticleOrder::sort_anew() {

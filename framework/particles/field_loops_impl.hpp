@@ -7,8 +7,7 @@
 #include "mesogen/exec/dispatch.hpp"
 #include "particles/field_loops.hpp"
 
-/// The loops over fields as the compiler of this file makes them: included once by the host's backend, once by that of
-/// a device.
+/// The loops over fields, compiled twice: by g++ for the host, by nvcc for CUDA.
 namespace mesogen::exec {
 
 constexpr double most = 1.7976931348623157e308;

@@ -18,7 +18,7 @@ namespace mesogen {
 
 namespace {
 
-/// The world as the frames show it, one after the other, and the observers that look at it.
+/// The state as the frames show it, one after the other, and the observers that look at it.
 class Replay {
  public:
   Replay(Setup& setup, const StoredFrames& frames, const std::filesystem::path& folder, Log& log)

@@ -14,7 +14,7 @@ struct SetupContext {
   const SetupAdditions& additions;
   ResolvedCase resolved;
   bool refused = false;          ///< a plugin that the case needs
-  bool initial_missing = false;  ///< a section is called after no plugin: what it was to set is not asked for as well
+  bool initial_missing = false;  ///< no plugin has the name of some section: do not ask as well for what it would set
 
   /// What a plugin finds wrong by itself is one problem among the others.
   template <class Action>

@@ -1,5 +1,3 @@
-#include <algorithm>
-
 #include "plugin/plugin_call.hpp"
 #include "run/setup_context.hpp"
 #include "run/smoothing.hpp"

@@ -1,5 +1,9 @@
 #pragma once
 
+#include <map>
+#include <string>
+
+#include "mesogen/diagnostics/error.hpp"
 #include "output/checkpoint.hpp"
 #include "run/setup.hpp"
 #include "schedule/state.hpp"
@@ -13,8 +17,8 @@ void save_state(const Setup& setup, State& state, Checkpoint& checkpoint);
 /// Throws Error(bad_case) if the checkpoint belongs to another case.
 void restore_state(const Setup& setup, const Checkpoint& checkpoint, State& state);
 
-/// Of a kind of list in a checkpoint, the one of this name. Throws Error(bad_case) if there is none of this size, and
-/// says of what it should have been: "numbers".
+/// The list of this name in a checkpoint. Throws Error(bad_case) if there is none of this size; `of` says what it
+/// counts: "particles".
 template <class List>
 const List& stored(const std::map<std::string, List>& lists, const std::string& name, std::size_t size,
                    const std::string& of) {

@@ -10,7 +10,7 @@
 
 namespace mesogen {
 
-/// A world as observers see it. Whether a field is up to date is for the maker of the view to see to.
+/// The state of a run as observers see it. Whether a field is up to date is for the maker of the view to see to.
 class MESOGEN_EXPORT StateView : public ObserverContext {
  public:
   explicit StateView(const State& state) : state_(state) {}

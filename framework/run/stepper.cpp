@@ -1,6 +1,5 @@
 #include "run/stepper.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 #include "run/state_at_start.hpp"

@@ -20,7 +20,7 @@ class MESOGEN_EXPORT Executor {
 
   /// All passes of a phase that the integration needs, or a reader that is due at the end of this step.
   void run(Phase phase, const std::vector<bool>& reader_due);
-  /// One pass by itself, a member of the graph's works; what it adds to keeps its value before.
+  /// One pass by itself, one of the graph's passes; what it adds to keeps its value before.
   void run_alone(ScheduledPass& scheduled);
   /// Brings what a reader reads up to date, as far as that follows from the state alone: derived fields, and what
   /// passes of Phase::observe make.

@@ -1,6 +1,7 @@
 #include "schedule/step_graph.hpp"
 
 #include <algorithm>
+#include <map>
 
 #include "mesogen/diagnostics/error.hpp"
 #include "schedule/advection.hpp"

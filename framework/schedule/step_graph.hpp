@@ -1,7 +1,6 @@
 #pragma once
 
 #include <array>
-#include <map>
 #include <set>
 #include <string>
 #include <vector>
@@ -21,7 +20,7 @@ struct Reader {
 
 /// The work of a step, ordered from what each pass reads and writes; what nobody needs is pruned.
 ///
-/// In a phase: one writer a field; then those who add to it, in the order of the case; then those who read it. The
+/// In a phase: one writer per field; then those who add to it, in the order of the case; then those who read it. The
 /// order is the first topological one, so it is the same every time. Fields that the framework derives (gradients, ...)
 /// are made when a pass that reads them comes up.
 class MESOGEN_EXPORT StepGraph {
@@ -39,7 +38,7 @@ class MESOGEN_EXPORT StepGraph {
 
   [[nodiscard]] std::vector<ScheduledPass>& passes() { return passes_; }
   [[nodiscard]] const std::vector<ScheduledPass>& passes() const { return passes_; }
-  /// Indices into works(), in the order in which they run.
+  /// Indices into passes(), in the order in which they run.
   [[nodiscard]] const std::vector<std::size_t>& order(Phase phase) const {
     return order_[static_cast<std::size_t>(phase)];
   }

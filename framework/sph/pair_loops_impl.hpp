@@ -3,7 +3,7 @@
 #include "mesogen/exec/for_each.hpp"
 #include "sph/pair_loops.hpp"
 
-/// The sums over neighbours as the compiler of this file makes them: included once for the host, once for a device.
+/// The framework's sums over neighbours, compiled twice: by g++ for the host, by nvcc for CUDA.
 namespace mesogen::exec {
 
 template <class Real, class Known>

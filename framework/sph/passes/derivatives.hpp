@@ -211,7 +211,7 @@ void run_derivatives_with(const exec::Space& space, const Neighbours<Real, Dim>&
     using Kernel = std::decay_t<decltype(function)>;
     using Loop = DerivativeLoop<Real, Dim, Count, Fit, Kernel>;
     exec::for_each(space, (neighbours.particle_count + Loop::group - 1) / Loop::group,
-                   Loop({neighbours, function}, fit, wanted, neighbours.particle_count));
+                   Loop({neighbours, function}, fit, wanted, neighbours.particle_count), "derivatives");
   });
 }
 

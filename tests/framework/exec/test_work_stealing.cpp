@@ -10,7 +10,7 @@
 namespace mesogen::exec {
 namespace {
 
-class TurnsOf : public testing::TestWithParam<int> {
+class WorkStealingOf : public testing::TestWithParam<int> {
  protected:
   void SetUp() override { omp_set_num_threads(GetParam()); }
   void TearDown() override { omp_set_num_threads(before_); }
@@ -19,12 +19,12 @@ class TurnsOf : public testing::TestWithParam<int> {
   int before_ = omp_get_max_threads();
 };
 
-TEST_P(TurnsOf, GiveAllOnce) {
+TEST_P(WorkStealingOf, GiveAllOnce) {
   for (const Index count : {0, 1, 2, 3, 7, 64, 65, 1000, 100'000}) {
     std::vector<int> times(static_cast<std::size_t>(count));
-    WorkStealing turns(count);
+    WorkStealing stealing(count);
 #pragma omp parallel
-    turns.take([&](Index i) {
+    stealing.take([&](Index i) {
 #pragma omp atomic
       ++times[static_cast<std::size_t>(i)];
     });
@@ -33,14 +33,14 @@ TEST_P(TurnsOf, GiveAllOnce) {
 }
 
 // A team that is smaller than it was to be.
-TEST_P(TurnsOf, LeaveNothingWhereThreadsAreMissing) {
-  WorkStealing turns(1000);
+TEST_P(WorkStealingOf, LeaveNothingWhereThreadsAreMissing) {
+  WorkStealing stealing(1000);
   Index done = 0;
-  turns.take([&](Index) { ++done; });
+  stealing.take([&](Index) { ++done; });
   EXPECT_EQ(done, 1000);
 }
 
-INSTANTIATE_TEST_SUITE_P(Threads, TurnsOf, testing::Values(1, 2, 3, 5));
+INSTANTIATE_TEST_SUITE_P(Threads, WorkStealingOf, testing::Values(1, 2, 3, 5));
 
 /// Waits until something holds; not for ever.
 template <class Condition>
@@ -53,13 +53,13 @@ TEST(WorkStealing, OthersTakeWhatASlowThreadLeaves) {
   const int before = omp_get_max_threads();
   omp_set_num_threads(2);
   constexpr Index count = 1280;  // pieces of 10
-  WorkStealing turns(count);
+  WorkStealing stealing(count);
   std::atomic<int> by_other{0};
   std::atomic<bool> begun{false};
 #pragma omp parallel
   {
     const bool slow = omp_get_thread_num() == 0;
-    turns.take([&](Index) {
+    stealing.take([&](Index) {
       if (slow) {
         if (!begun.exchange(true)) wait_for([&] { return by_other >= count - 10; });
       } else {

@@ -106,7 +106,7 @@ TEST(Pruning, ForcesOfZeroRunNoPass) {
   EXPECT_FALSE(mentions(counters(run), "physics.drive"));
 }
 
-/// Steps as a run takes them, with its observers; how often each work ran.
+/// Steps as a run takes them, with its observers; how often each pass ran.
 Counters observed(CaseRun& run, int count) {
   Observation observation(run.stepper());
   observation.start();

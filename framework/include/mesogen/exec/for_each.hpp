@@ -46,11 +46,11 @@ void for_each(const Space& space, Index count, const Function& function,
 #endif
   FirstFailure failure;
   const Blocks blocks(count);
-  WorkStealing turns(blocks.number());
+  WorkStealing stealing(blocks.number());
 #pragma omp parallel
   {
     [[maybe_unused]] const FlushSubnormals flush;
-    turns.take([&](Index block) {
+    stealing.take([&](Index block) {
       try {
         for (Index i = blocks.begin(block); i < blocks.end(block); ++i) function(i);
       } catch (...) {

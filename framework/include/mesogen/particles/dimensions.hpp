@@ -17,8 +17,8 @@ using Dimensions = std::integer_sequence<int, Dims...>;
 /// The dimensions that there are: code may be written and tested for all of them.
 using AllDimensions = Dimensions<2, 3>;
 
-/// The dimensions that Mesogen is built for: the one place that says so. Another one is added here, and to the explicit
-/// instantiations in `framework/sph/passes`; raise MESOGEN_ABI with it.
+/// The dimensions that Mesogen is built for: the only list of them. To add one, add it here and to the explicit
+/// instantiations in `framework/sph/passes`, and raise MESOGEN_ABI.
 using BuiltDimensions = Dimensions<2>;
 
 /// A set of dimensions as plain data: DimensionSet{2, 3}.

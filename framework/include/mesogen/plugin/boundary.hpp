@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "mesogen/particles/dimensions.hpp"
 #include "mesogen/particles/field_kind.hpp"
 #include "mesogen/plugin/affine_rule.hpp"
 #include "mesogen/plugin/parameters.hpp"
@@ -32,6 +33,9 @@ struct WallParticle {
 /// boundary: they start as [particles] says.
 class MESOGEN_EXPORT Boundary {
  public:
+  /// Dimensions that it has a form for. A plugin of fewer declares the same public member again.
+  static constexpr DimensionSet dimensions{AllDimensions{}};
+
   Boundary() = default;
   Boundary(const Boundary&) = delete;
   Boundary& operator=(const Boundary&) = delete;

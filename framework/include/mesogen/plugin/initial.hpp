@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "mesogen/export.hpp"
+#include "mesogen/particles/dimensions.hpp"
 #include "mesogen/particles/field_view.hpp"
 #include "mesogen/particles/rank.hpp"
 #include "mesogen/plugin/parameters.hpp"
@@ -64,6 +65,9 @@ class MESOGEN_EXPORT InitialState {
 /// and holds its parameters. Calls come in the order below.
 class MESOGEN_EXPORT Initial {
  public:
+  /// Dimensions that it has a form for. A plugin of fewer declares the same public member again.
+  static constexpr DimensionSet dimensions{AllDimensions{}};
+
   Initial() = default;
   Initial(const Initial&) = delete;
   Initial& operator=(const Initial&) = delete;

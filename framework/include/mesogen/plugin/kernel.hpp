@@ -1,5 +1,6 @@
 #pragma once
 
+#include "mesogen/particles/dimensions.hpp"
 #include "mesogen/plugin/parameters.hpp"
 #include "mesogen/sph/kernel_shape.hpp"
 
@@ -8,6 +9,9 @@ namespace mesogen {
 /// A smoothing kernel: data only, so choosing it at run time costs nothing in the pair loops.
 class MESOGEN_EXPORT Kernel {
  public:
+  /// Dimensions that it has a form for. A plugin of fewer declares the same public member again.
+  static constexpr DimensionSet dimensions{AllDimensions{}};
+
   Kernel() = default;
   Kernel(const Kernel&) = delete;
   Kernel& operator=(const Kernel&) = delete;

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "mesogen/particles/dimensions.hpp"
 #include "mesogen/particles/field_view.hpp"
 #include "mesogen/plugin/parameters.hpp"
 #include "mesogen/plugin/scene.hpp"
@@ -104,6 +105,9 @@ class MESOGEN_EXPORT ObserverContext {
 /// Watches a run and records numbers; changes not one bit of it. `interval` and `every` are the framework's own keys.
 class MESOGEN_EXPORT Observer {
  public:
+  /// Dimensions that it has a form for. A plugin of fewer declares the same public member again.
+  static constexpr DimensionSet dimensions{AllDimensions{}};
+
   Observer() = default;
   Observer(const Observer&) = delete;
   Observer& operator=(const Observer&) = delete;

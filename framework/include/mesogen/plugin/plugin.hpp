@@ -2,6 +2,7 @@
 
 #include <boost/dll/alias.hpp>
 
+#include "mesogen/diagnostics/error.hpp"
 #include "mesogen/exec/dispatch.hpp"
 #include "mesogen/plugin/descriptor.hpp"
 
@@ -18,15 +19,6 @@
 ///     template <class Real, int Dim> requires(Dim == 2) class FlowFields ...     // physics: a constraint
 ///     static constexpr DimensionSet dimensions{2};                               // other classes: a public member
 namespace mesogen::detail {
-
-template <class Plugin, int... Dims>
-constexpr DimensionSet dimensions_of_class(Dimensions<Dims...> all) {
-  if constexpr (requires { Plugin::dimensions; }) {
-    return Plugin::dimensions.common(DimensionSet(all));
-  } else {
-    return DimensionSet(all);
-  }
-}
 
 template <class Base, class Plugin>
 void* create_class(Precision /*precision*/, int /*dimension*/) {
@@ -74,10 +66,8 @@ void* create_form(Precision precision, int dimension) {
   }                                                                                     \
   BOOST_DLL_ALIAS(mesogen_plugin_export::descriptor, mesogen_plugin)
 
-#define MESOGEN_CLASS_PLUGIN_(KIND, BASE, CLASS, NAME, VERSION, SUMMARY)                     \
-  MESOGEN_PLUGIN_(KIND, NAME, VERSION, SUMMARY,                                              \
-                  ::mesogen::detail::dimensions_of_class<CLASS>(::mesogen::AllDimensions{}), \
-                  (&::mesogen::detail::create_class<BASE, CLASS>))
+#define MESOGEN_CLASS_PLUGIN_(KIND, BASE, CLASS, NAME, VERSION, SUMMARY) \
+  MESOGEN_PLUGIN_(KIND, NAME, VERSION, SUMMARY, CLASS::dimensions, (&::mesogen::detail::create_class<BASE, CLASS>))
 
 #define MESOGEN_KERNEL_PLUGIN(CLASS, NAME, VERSION, SUMMARY) \
   MESOGEN_CLASS_PLUGIN_(kernel, ::mesogen::Kernel, CLASS, NAME, VERSION, SUMMARY)

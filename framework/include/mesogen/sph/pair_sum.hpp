@@ -71,7 +71,8 @@ template <class Real, int Dim, class Kernel, class Pass>
 void pair_sum_with(const exec::Space& space, const Neighbours<Real, Dim>& neighbours, const Kernel& function,
                    const Pass& pass) {
   exec::for_each(space, neighbours.particle_count,
-                 PairLoop<Real, Dim, Kernel, Pass>{Pairs<Real, Dim, Kernel>(neighbours, function), pass});
+                 PairLoop<Real, Dim, Kernel, Pass>{Pairs<Real, Dim, Kernel>(neighbours, function), pass},
+                 "a sum over neighbours");
 }
 
 /// The same with the kernel of the run. The function of the kernel is the one choice made at run time.
