@@ -23,8 +23,8 @@ from mesogen.charts.drawing import look  # noqa: E402
 FITTED_FROM = 16  # points per wave
 TEXT = """# Derivatives on disordered particles
 
-This page shows how exact derivatives are, and how their error falls with the spacing. It gives relative L2 errors of the
-gradient and the Laplacian of sin(k x + 0.3) cos(k y + 0.7), with the quintic kernel and h = 4/3 dx. More waves on
+This page shows how exact derivatives are, and how their error falls with the spacing. It gives relative L2 errors of
+the gradient and the Laplacian of sin(k x + 0.3) cos(k y + 0.7), with the quintic kernel and h = 4/3 dx. More waves on
 the same particles mean a coarser resolution of the same disorder. There are three sets of particles: a lattice; a
 lattice with each particle moved by up to 0.2 dx along each axis; and 128 x 128 particles after 10^4 steps of extensile
 turbulence (the material of `cases/quickstart`). "Plain" and "consistent" are values of `kernel.laplacian`; gradients do
