@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "error_of.hpp"
 #include "mesogen/diagnostics/error.hpp"
 #include "output/results.hpp"
 
@@ -46,17 +47,6 @@ inline std::string bytes_of(const fs::path& file) {
 }
 inline void put_bytes(const fs::path& file, const std::string& bytes) {
   std::ofstream(file, std::ios::binary) << bytes;
-}
-
-template <class Action>
-std::string error_of(const Action& action, ExitCode code) {
-  try {
-    action();
-  } catch (const Error& error) {
-    EXPECT_EQ(error.code(), code);
-    return error.what();
-  }
-  return "no error";
 }
 
 struct Array {

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <fstream>
 
+#include "error_of.hpp"
 #include "plugin/instruction_set.hpp"
 #include "test_plugins.hpp"
 
@@ -27,19 +27,6 @@ class Variable {
  private:
   const char* name_;
 };
-
-/// The text of the error that an action throws, which must have this code.
-template <class Action>
-std::string error_of(ExitCode code, const Action& action) {
-  try {
-    action();
-  } catch (const Error& error) {
-    EXPECT_EQ(error.code(), code) << error.what();
-    return error.what();
-  }
-  ADD_FAILURE() << "no error";
-  return {};
-}
 
 bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
@@ -115,9 +102,11 @@ TEST(PluginRegistry, RefusesALibraryCutShortAnywhere) {
 }
 
 TEST(PluginRegistry, RefusesTwoOfOneKindAndNameNamingBothFiles) {
-  const auto text = error_of(ExitCode::plugin_refused, [] {
-    (void)PluginRegistry::only({broken("twin_a"), broken("twin_b")});
-  });
+  const auto text = error_of(
+      [] {
+        (void)PluginRegistry::only({broken("twin_a"), broken("twin_b")});
+      },
+      ExitCode::plugin_refused);
   EXPECT_TRUE(contains(text, "two plugins of the kind kernel are called \"twin\"")) << text;
   EXPECT_TRUE(contains(text, "first_twin.so")) << text;
   EXPECT_TRUE(contains(text, "second_twin.so")) << text;
@@ -138,7 +127,7 @@ TEST(PluginRegistry, TakesAFolderGivenTwiceOnce) {
 }
 
 TEST(PluginRegistry, RefusesAFolderThatIsNotThere) {
-  const auto text = error_of(ExitCode::bad_case, [] { (void)PluginRegistry::scan({"/nowhere/plugins"}); });
+  const auto text = error_of([] { (void)PluginRegistry::scan({"/nowhere/plugins"}); }, ExitCode::bad_case);
   EXPECT_EQ(text, "plugin folder /nowhere/plugins does not exist or is no folder");
 }
 
@@ -171,7 +160,7 @@ TEST(PluginRegistry, SuggestsTheNearestNameOfAnyKind) {
 
 TEST(PluginRegistry, SaysWhyAPluginIsMissingIfItWasRefused) {
   const auto registry = PluginRegistry::only({broken("wrong_abi")});
-  const auto text = error_of(ExitCode::plugin_refused, [&] { (void)registry.make_kernel("wrong_abi", 2); });
+  const auto text = error_of([&] { (void)registry.make_kernel("wrong_abi", 2); }, ExitCode::plugin_refused);
   EXPECT_TRUE(contains(text, "the kernel plugin \"wrong_abi\" was refused: ")) << text;
   EXPECT_TRUE(contains(text, "interface 99")) << text;
 }
@@ -186,14 +175,14 @@ TEST(PluginRegistry, SaysWhereItLookedIfThereIsNoPluginOfAKind) {
 
 TEST(PluginRegistry, RefusesAFormThatAPluginLacks) {
   const auto registry = PluginRegistry::only({broken("no_form")});
-  const auto text = error_of(ExitCode::bad_case, [&] { (void)registry.make_boundary("no_form", 2); });
+  const auto text = error_of([&] { (void)registry.make_boundary("no_form", 2); }, ExitCode::bad_case);
   EXPECT_EQ(text, "the boundary plugin \"no_form\" has no form for 2 dimensions in double precision");
 }
 
 TEST(PluginRegistry, RefusesAPrecisionThatAPluginLacks) {
   const auto registry = PluginRegistry::only({broken("exact")});
   EXPECT_NE(registry.make_physics("exact", Precision::double_precision, 2), nullptr);
-  EXPECT_EQ(error_of(ExitCode::bad_case, [&] { (void)registry.make_physics("exact", Precision::single_precision, 2); }),
+  EXPECT_EQ(error_of([&] { (void)registry.make_physics("exact", Precision::single_precision, 2); }, ExitCode::bad_case),
             "the physics plugin \"exact\" has no form for 2 dimensions in single precision");
 }
 
@@ -204,7 +193,7 @@ TEST(PluginRegistry, RefusesADimensionThatAPluginLacks) {
            "\" has no form for 2 dimensions: it has one for 3; a scene has as many dimensions as domain.size has "
            "numbers";
   };
-  const auto refused = [](const auto& action) { return error_of(ExitCode::bad_case, action); };
+  const auto refused = [](const auto& action) { return error_of(action, ExitCode::bad_case); };
   EXPECT_EQ(refused([&] { (void)registry.make_kernel("solid_kernel", 2); }), refusal("kernel"));
   EXPECT_EQ(refused([&] { (void)registry.make_boundary("solid_boundary", 2); }), refusal("boundary"));
   EXPECT_EQ(refused([&] { (void)registry.make_initial("solid_initial", 2); }), refusal("initial"));
@@ -217,7 +206,7 @@ TEST(PluginRegistry, RefusesADimensionThatAPluginLacks) {
 
 TEST(PluginRegistry, RefusesADimensionThatIsNotBuilt) {
   const auto registry = PluginRegistry::only({broken("solid")});
-  EXPECT_EQ(error_of(ExitCode::bad_case, [&] { (void)registry.make_kernel("solid_kernel", 3); }),
+  EXPECT_EQ(error_of([&] { (void)registry.make_kernel("solid_kernel", 3); }, ExitCode::bad_case),
             "this Mesogen is built for 2 dimensions, not for 3");
 }
 
@@ -253,56 +242,8 @@ TEST(InstructionSets, AreCapped) {
   EXPECT_EQ(plugin::capped(both, "x86-64-v4"), both);
   EXPECT_EQ(plugin::capped(both, "x86-64-v3"), std::vector<std::string>{"x86-64-v3"});
   EXPECT_TRUE(plugin::capped(both, "baseline").empty());
-  EXPECT_EQ(error_of(ExitCode::bad_case, [&] { (void)plugin::capped(both, "avx9"); }),
+  EXPECT_EQ(error_of([&] { (void)plugin::capped(both, "avx9"); }, ExitCode::bad_case),
             "MESOGEN_SIMD is \"avx9\"; it must be baseline, x86-64-v3 or x86-64-v4, or not be set");
-}
-
-/// A folder with a plugin, and another file in the place of its library for CUDA; gone at the end.
-class Twins {
- public:
-  // A name of its own: what was once loaded by a name stays.
-  Twins(const std::string& name, const fs::path& twin) : folder_(fs::path(::testing::TempDir()) / ("twins-" + name)) {
-    fs::remove_all(folder_);
-    fs::create_directories(folder_ / "cuda");
-    fs::copy(built("friction"), folder_ / "friction.so");
-    fs::copy(twin, folder_ / "cuda" / "friction.so");
-  }
-  ~Twins() { fs::remove_all(folder_); }
-  Twins(const Twins&) = delete;
-  Twins& operator=(const Twins&) = delete;
-
-  static fs::path built(const std::string& name) { return fs::path(MESOGEN_TEST_PLUGIN_FOLDER) / (name + ".so"); }
-  [[nodiscard]] PluginRegistry registry() const { return PluginRegistry::only({folder_}); }
-
- private:
-  fs::path folder_;
-};
-
-// What is loaded for CUDA is told apart by its descriptor, so libraries for the host will do here.
-TEST(PluginRegistry, ALibraryForCudaMustBeThatOfThePlugin) {
-  {
-    const Twins twins("alike", Twins::built("friction"));
-    const auto registry = twins.registry();
-    EXPECT_TRUE(registry.has_cuda("friction"));
-    EXPECT_EQ(registry.cuda_problem("friction"), "");
-    EXPECT_NE(registry.make_physics_for_cuda("friction", Precision::double_precision, 2), nullptr);
-  }
-  const Twins twins("strangers", Twins::built("body_force"));
-  const auto registry = twins.registry();
-  const std::string text = error_of(ExitCode::plugin_refused, [&] {
-    (void)registry.make_physics_for_cuda("friction", Precision::double_precision, 2);
-  });
-  EXPECT_TRUE(contains(text, "the physics plugin \"friction\" for CUDA was refused: ")) << text;
-  EXPECT_TRUE(contains(text, "/cuda/friction.so: it is physics body_force 1.0.0, where ")) << text;
-  EXPECT_TRUE(contains(text, "/friction.so is physics friction 1.0.0: build both again")) << text;
-}
-
-TEST(PluginRegistry, ALibraryForCudaThatIsNoneIsRefused) {
-  const fs::path file = fs::path(::testing::TempDir()) / "no_library";
-  std::ofstream(file) << "text";
-  const Twins twins("none", file);
-  const std::string text = twins.registry().cuda_problem("friction");
-  EXPECT_TRUE(contains(text, "/cuda/friction.so: it is not a shared library")) << text;
 }
 
 }  // namespace
