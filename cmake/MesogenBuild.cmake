@@ -2,7 +2,8 @@
 set(CMAKE_CXX_STANDARD 20)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)
 set(CMAKE_CXX_EXTENSIONS OFF)
-set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+# Programs as libraries, so that all can share what is precompiled.
+add_compile_options($<$<COMPILE_LANGUAGE:C,CXX>:-fPIC>)
 set(CMAKE_CXX_VISIBILITY_PRESET hidden)
 set(CMAKE_VISIBILITY_INLINES_HIDDEN ON)
 set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
@@ -19,6 +20,8 @@ set(CMAKE_INSTALL_LIBDIR lib)
 
 set(MESOGEN_WARNINGS_ARE_ERRORS ON)
 include(MesogenCompileOptions)
+# The command and the tests do not compute for long themselves: they had better compile fast.
+set(MESOGEN_COLD_OPTIONS $<$<CONFIG:Release>:-O1>)
 set(MESOGEN_PAIR_LOOP_OPTIONS "")
 if(MESOGEN_SANITIZE)
   # GCC takes its own instrumentation for uses of what is not initialised; the other builds still warn.

@@ -8,6 +8,7 @@
 
 #include "mesogen/neighbours/point_cells.hpp"
 #include "mesogen/plugin/by_id.hpp"
+#include "mesogen/sph/kernel_function.hpp"
 
 namespace mesogen::nematics {
 

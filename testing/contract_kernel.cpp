@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "contract_run.hpp"
+#include "mesogen/sph/kernel_function.hpp"
 
 namespace mesogen::testing {
 

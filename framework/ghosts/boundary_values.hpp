@@ -8,7 +8,7 @@
 #include "exec/work_clock.hpp"
 #include "ghosts/rule_table.hpp"
 #include "mesogen/plugin/boundary.hpp"
-#include "mesogen/sph/kernel_function.hpp"
+#include "mesogen/sph/smoothing_kernel.hpp"
 #include "neighbours/neighbourhood.hpp"
 #include "particles/field.hpp"
 

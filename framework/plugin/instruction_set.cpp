@@ -48,6 +48,14 @@ std::vector<std::string> usable_instruction_sets() {
   return capped(sets_of_processor(), cap == nullptr ? "" : cap);
 }
 
+std::string narrow_code_text(std::string_view built, const std::vector<std::string>& sets) {
+  if (built != baseline || sets.empty()) return {};
+  return "this Mesogen was built for another processor: sums over neighbours take several times as long as they would "
+         "if "
+         "it was built on this machine, or with -DMESOGEN_INSTRUCTION_SETS=" +
+         sets.front();
+}
+
 Variant best_variant(const std::filesystem::path& file, const std::vector<std::string>& sets) {
   for (const auto& set : sets) {
     const auto wider = file.parent_path() / set / file.filename();

@@ -4,7 +4,7 @@
 #include "mesogen/plugin/boundary.hpp"
 #include "mesogen/plugin/initial.hpp"
 #include "mesogen/plugin/scene.hpp"
-#include "mesogen/sph/kernel_function.hpp"
+#include "mesogen/sph/smoothing_kernel.hpp"
 
 namespace mesogen {
 

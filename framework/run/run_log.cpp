@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "plugin/instruction_set.hpp"
+#include "sph/standard_passes.hpp"
 #include "text/rounded_text.hpp"
 
 namespace mesogen {
@@ -22,7 +24,11 @@ void log_beginning(Log& log, const Setup& setup, const Stepper::Step& first) {
 
 void log_device(Log& log, const Setup& setup) {
   if (!setup.why_on_host.empty()) log.info("computing on the host: " + setup.why_on_host);
-  if (setup.backend->on_host()) return;
+  if (setup.backend->on_host()) {
+    const auto sets = plugin::usable_instruction_sets();
+    if (const auto text = plugin::narrow_code_text(sph::instruction_set(), sets); !text.empty()) log.warn(text);
+    return;
+  }
   log.info("computing on " + setup.backend->device());
   for (const auto& member : setup.physics)
     if (!member.on_device)

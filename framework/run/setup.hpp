@@ -10,7 +10,7 @@
 #include "exec/backend.hpp"
 #include "mesogen/export.hpp"
 #include "mesogen/plugin/scene.hpp"
-#include "mesogen/sph/kernel_function.hpp"
+#include "mesogen/sph/smoothing_kernel.hpp"
 #include "plugin/registry.hpp"
 #include "schedule/catalogue.hpp"
 #include "schedule/step_graph.hpp"

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "case/case.hpp"
-#include "mesogen/sph/kernel_function.hpp"
+#include "mesogen/sph/smoothing_kernel.hpp"
 
 namespace mesogen {
 

@@ -10,7 +10,7 @@
 #include "mesogen/export.hpp"
 #include "mesogen/plugin/boundary.hpp"
 #include "mesogen/plugin/scene.hpp"
-#include "mesogen/sph/kernel_function.hpp"
+#include "mesogen/sph/smoothing_kernel.hpp"
 #include "neighbours/neighbourhood.hpp"
 #include "neighbours/particle_order.hpp"
 #include "particles/field.hpp"

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "mesogen/export.hpp"
-#include "mesogen/sph/kernel_function.hpp"
+#include "mesogen/sph/smoothing_kernel.hpp"
 
 /// What is known of the sums over neighbours on a square or cubic lattice.
 namespace mesogen::sph {

@@ -3,7 +3,7 @@
 #include "ghosts/views.hpp"
 #include "mesogen/neighbours/neighbours.hpp"
 #include "mesogen/particles/field_view.hpp"
-#include "mesogen/sph/kernel_function.hpp"
+#include "mesogen/sph/smoothing_kernel.hpp"
 
 /// What a field is at the mirror points of walls: interpolated by moving least squares with the kernel of the run,
 /// exact where the field is linear (S. Marrone et al., Comput. Methods Appl. Mech. Engrg. 200, 1526 (2011)).

@@ -51,4 +51,4 @@ constexpr mesogen::PluginDescriptor descriptor{MAGIC,
 
 }  // namespace
 
-BOOST_DLL_ALIAS(descriptor, mesogen_plugin)
+MESOGEN_EXPORT_DESCRIPTOR(descriptor)

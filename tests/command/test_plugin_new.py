@@ -70,7 +70,7 @@ class PluginNew(CommandTest):
             self.mesogen("plugin", "new", kind, name, folder)
             for file in (f"{name}.cpp", f"test_{name}.cpp"):
                 done = subprocess.run(["c++", "-std=c++20", "-fsyntax-only", "-fopenmp", "-Wall", "-Wextra", "-Wshadow",
-                                       "-Werror", "-DBOOST_DLL_USE_STD_FS", *headers, self.path(folder, file)], text=True,
+                                       "-Werror", *headers, self.path(folder, file)], text=True,
                                       capture_output=True, check=False)
                 self.assertEqual(done.returncode, 0, done.stderr)
                 if name != "boundary":

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "mesogen/plugin/physics.hpp"
-#include "mesogen/sph/kernel_function.hpp"
+#include "mesogen/sph/smoothing_kernel.hpp"
 #include "test_plugins.hpp"
 
 namespace mesogen::test {

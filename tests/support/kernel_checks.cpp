@@ -4,6 +4,7 @@
 #include <functional>
 #include <numbers>
 
+#include "mesogen/sph/kernel_function.hpp"
 #include "test_plugins.hpp"
 
 namespace mesogen::test {

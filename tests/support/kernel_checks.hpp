@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "mesogen/sph/kernel_function.hpp"
+#include "mesogen/sph/smoothing_kernel.hpp"
 
 /// What every kernel plugin must hold, checked on the library that the loader finds.
 namespace mesogen::test {

@@ -6,6 +6,7 @@
 #include <array>
 
 #include "mesogen/exec/for_each.hpp"
+#include "mesogen/sph/kernel_function.hpp"
 #include "mesogen/sph/small_matrix.hpp"
 
 namespace mesogen::sph {

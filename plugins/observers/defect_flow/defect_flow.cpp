@@ -20,6 +20,7 @@
 #include "mesogen/plugin/by_id.hpp"
 #include "mesogen/plugin/observer.hpp"
 #include "mesogen/plugin/plugin.hpp"
+#include "mesogen/sph/kernel_function.hpp"
 
 namespace mesogen {
 namespace {

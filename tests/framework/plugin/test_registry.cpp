@@ -246,4 +246,13 @@ TEST(InstructionSets, AreCapped) {
             "MESOGEN_SIMD is \"avx9\"; it must be baseline, x86-64-v3 or x86-64-v4, or not be set");
 }
 
+TEST(InstructionSets, CodeForAnotherProcessorIsTold) {
+  EXPECT_EQ(
+      plugin::narrow_code_text("baseline", {"x86-64-v4", "x86-64-v3"}),
+      "this Mesogen was built for another processor: sums over neighbours take several times as long as they would "
+      "if it was built on this machine, or with -DMESOGEN_INSTRUCTION_SETS=x86-64-v4");
+  EXPECT_EQ(plugin::narrow_code_text("x86-64-v3", {"x86-64-v4", "x86-64-v3"}), "");
+  EXPECT_EQ(plugin::narrow_code_text("baseline", {}), "");
+}
+
 }  // namespace

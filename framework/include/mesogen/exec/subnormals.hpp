@@ -1,7 +1,7 @@
 #pragma once
 
 #if defined(__SSE__) && !defined(__CUDACC__)
-#include <immintrin.h>
+#include <xmmintrin.h>
 #endif
 
 namespace mesogen::exec {

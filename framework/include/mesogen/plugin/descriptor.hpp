@@ -52,3 +52,10 @@ struct PluginDescriptor {
 };
 
 }  // namespace mesogen
+
+/// Exports the address of a descriptor from a library, under the name that Mesogen asks Boost.DLL for.
+#define MESOGEN_EXPORT_DESCRIPTOR(DESCRIPTOR)       \
+  extern "C" {                                      \
+  MESOGEN_EXPORT extern const void* mesogen_plugin; \
+  const void* mesogen_plugin = &(DESCRIPTOR);       \
+  }

@@ -1,9 +1,8 @@
 #pragma once
 
-#include <boost/dll/alias.hpp>
-
 #include "mesogen/diagnostics/error.hpp"
 #include "mesogen/exec/dispatch.hpp"
+#include "mesogen/export.hpp"
 #include "mesogen/plugin/descriptor.hpp"
 
 /// Makes a library a plugin. At the end of its source, outside any namespace, one of
@@ -52,7 +51,7 @@ void* create_form(Precision precision, int dimension) {
 
 #define MESOGEN_PLUGIN_(KIND, NAME, VERSION, SUMMARY, DIMENSIONS, CREATE)               \
   namespace mesogen_plugin_export {                                                     \
-  /* Internal to the library: only the alias below is exported. */                      \
+  /* Internal to the library: only the pointer below is exported. */                    \
   constexpr ::mesogen::PluginDescriptor descriptor{::mesogen::descriptor_magic,         \
                                                    ::mesogen::abi_number,               \
                                                    sizeof(::mesogen::PluginDescriptor), \
@@ -64,7 +63,7 @@ void* create_form(Precision precision, int dimension) {
                                                    DIMENSIONS,                          \
                                                    CREATE};                             \
   }                                                                                     \
-  BOOST_DLL_ALIAS(mesogen_plugin_export::descriptor, mesogen_plugin)
+  MESOGEN_EXPORT_DESCRIPTOR(mesogen_plugin_export::descriptor)
 
 #define MESOGEN_CLASS_PLUGIN_(KIND, BASE, CLASS, NAME, VERSION, SUMMARY) \
   MESOGEN_PLUGIN_(KIND, NAME, VERSION, SUMMARY, CLASS::dimensions, (&::mesogen::detail::create_class<BASE, CLASS>))

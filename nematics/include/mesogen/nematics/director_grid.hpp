@@ -5,7 +5,7 @@
 
 #include "mesogen/plugin/observer.hpp"
 #include "mesogen/plugin/scene.hpp"
-#include "mesogen/sph/kernel_function.hpp"
+#include "mesogen/sph/smoothing_kernel.hpp"
 
 namespace mesogen::nematics {
 

@@ -19,7 +19,7 @@
 #include "mesogen/plugin/passes.hpp"
 #include "mesogen/plugin/physics.hpp"
 #include "mesogen/plugin/scene.hpp"
-#include "mesogen/sph/kernel_function.hpp"
+#include "mesogen/sph/smoothing_kernel.hpp"
 
 namespace mesogen::testing {
 
