@@ -57,7 +57,7 @@ struct Neighbours {
   Real radius;                      ///< support of the kernel, m
   Real smallest;  ///< added to the square of a distance, so that 1/r is finite for a particle and itself, m^2
 
-  static constexpr int most_segments_by_dimension[] = {0, 1, 48, 240};
+  static constexpr int most_segments_by_dimension[4] = {0, 1, 48, 240};
   static constexpr int most_segments = most_segments_by_dimension[Dim];
 
   [[nodiscard]] MESOGEN_HOST_DEVICE int cell_count() const {
