@@ -75,3 +75,13 @@ if(build_cuda AND NOT build_cuda STREQUAL if-possible AND NOT MESOGEN_HAVE_CUDA)
   message(FATAL_ERROR "MESOGEN_CUDA=${MESOGEN_CUDA}, but no nvcc (12 or later) that works was found: install it, or take MESOGEN_CUDA=auto")
 endif()
 message(STATUS "Passes are compiled for CUDA: ${MESOGEN_HAVE_CUDA}")
+
+# What an earlier configuration of this build folder built and this one does not would still be loaded.
+foreach(set IN ITEMS x86-64-v3 x86-64-v4)
+  if(NOT set IN_LIST MESOGEN_INSTRUCTION_SETS)
+    file(REMOVE_RECURSE ${CMAKE_BINARY_DIR}/lib/glibc-hwcaps/${set} ${MESOGEN_PLUGIN_OUTPUT}/${set})
+  endif()
+endforeach()
+if(NOT MESOGEN_HAVE_CUDA)
+  file(REMOVE_RECURSE ${CMAKE_BINARY_DIR}/lib/libmesogen_cuda.so ${MESOGEN_PLUGIN_OUTPUT}/cuda)
+endif()

@@ -5,6 +5,7 @@
 #include "ghosts/ghost_loops_impl.hpp"
 #include "neighbours/cell_loops_impl.hpp"
 #include "particles/field_loops_impl.hpp"
+#include "particles/storage_loops_impl.hpp"
 #include "sph/pair_loops_impl.hpp"
 
 /// All loops of a backend, compiled twice: by g++ for the host, by nvcc for CUDA.
@@ -17,6 +18,7 @@ class BackendImpl : public Backend {
   explicit BackendImpl(const Space& space, double* device = nullptr, double* pinned = nullptr)
       : space_(space),
         reductions_(device, pinned),
+        storage_(space),
         ghosts_(space),
         single_fields_(space, reductions_),
         double_fields_(space, reductions_),
@@ -26,6 +28,7 @@ class BackendImpl : public Backend {
   [[nodiscard]] Space space() const override { return space_; }
   void wait() const override { reductions_.wait(space_); }
   [[nodiscard]] double found(Reduction reduction) const override { return reductions_.found(reduction); }
+  [[nodiscard]] const StorageLoops& storage() const override { return storage_; }
   [[nodiscard]] const GhostLoops& ghosts() const override { return ghosts_; }
 
  protected:
@@ -38,6 +41,7 @@ class BackendImpl : public Backend {
  private:
   Space space_;
   mutable Reductions reductions_;
+  StorageLoopsImpl storage_;
   GhostLoopsImpl ghosts_;
   FieldLoopsImpl<float> single_fields_;
   FieldLoopsImpl<double> double_fields_;

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "case/case.hpp"
-#include "mesogen/particles/field_view.hpp"
+#include "mesogen/fields/field_view.hpp"
 
 namespace mesogen {
 

@@ -8,7 +8,7 @@
 #include "case/toml_reader.hpp"
 #include "case/value.hpp"
 #include "mesogen/diagnostics/error.hpp"
-#include "mesogen/particles/dimensions.hpp"
+#include "mesogen/fields/dimensions.hpp"
 
 namespace mesogen {
 

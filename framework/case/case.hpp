@@ -11,7 +11,7 @@
 #include "case/section.hpp"
 #include "case/units.hpp"
 #include "mesogen/export.hpp"
-#include "mesogen/particles/rank.hpp"
+#include "mesogen/fields/rank.hpp"
 #include "mesogen/plugin/parameters.hpp"
 
 namespace mesogen {

@@ -7,7 +7,7 @@
 #include "case/framework_keys.hpp"
 #include "case/toml_text.hpp"
 #include "case/value.hpp"
-#include "mesogen/particles/dimensions.hpp"
+#include "mesogen/fields/dimensions.hpp"
 #include "text/nearest.hpp"
 
 namespace mesogen {

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "mesogen/particles/dimensions.hpp"
+#include "mesogen/fields/dimensions.hpp"
 
 namespace mesogen::case_keys {
 

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "mesogen/plugin/descriptor.hpp"
+#include "mesogen/diagnostics/build_tag.hpp"
 
 namespace mesogen {
 

@@ -19,8 +19,9 @@ struct Reduction {
 
 // The framework's own loops, each declared with what it is about. They are written once, as functors; each backend
 // compiles them for where it runs, and they take pointers that are valid there.
-class CellLoops;   // neighbours/cell_loops.hpp
-class GhostLoops;  // ghosts/ghost_loops.hpp
+class StorageLoops;  // particles/storage_loops.hpp
+class CellLoops;     // neighbours/cell_loops.hpp
+class GhostLoops;    // ghosts/ghost_loops.hpp
 template <class Real>
 class FieldLoops;  // particles/field_loops.hpp
 template <class Real>
@@ -52,6 +53,7 @@ class MESOGEN_EXPORT Backend {
   virtual void wait() const = 0;
   [[nodiscard]] virtual double found(exec::Reduction reduction) const = 0;
 
+  [[nodiscard]] virtual const exec::StorageLoops& storage() const = 0;
   [[nodiscard]] virtual const exec::CellLoops& cells() const = 0;
   [[nodiscard]] virtual const exec::GhostLoops& ghosts() const = 0;
   template <class Real>

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <set>
 
+#include "ghosts/neighbourhood.hpp"
 #include "mesogen/exec/dispatch.hpp"
-#include "neighbours/neighbourhood.hpp"
 #include "run/planned_fields.hpp"
 
 namespace mesogen {

@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "exec/work_clock.hpp"
+#include "ghosts/neighbourhood.hpp"
 #include "ghosts/rule_table.hpp"
 #include "mesogen/plugin/boundary.hpp"
 #include "mesogen/sph/smoothing_kernel.hpp"
-#include "neighbours/neighbourhood.hpp"
 #include "particles/field.hpp"
 
 namespace mesogen {

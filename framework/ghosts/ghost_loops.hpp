@@ -5,7 +5,7 @@
 
 #include "exec/backend.hpp"
 #include "ghosts/views.hpp"
-#include "mesogen/particles/field_view.hpp"
+#include "mesogen/fields/field_view.hpp"
 
 namespace mesogen {
 

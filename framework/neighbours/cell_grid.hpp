@@ -20,9 +20,12 @@ class MESOGEN_EXPORT CellGrid {
 
   using Cell = std::array<int, 3>;
 
-  /// Cell along one axis, not bounded by the box.
+  /// Cell along one axis, not bounded by the box; some cell far away for what no int can count, or is not a number.
   [[nodiscard]] MESOGEN_HOST_DEVICE int along(int axis, double position) const {
-    return static_cast<int>(::floor(position / width_[axis]));
+    constexpr int most = 1'000'000'000;
+    const double at = ::floor(position / width_[axis]);
+    if (!(at < most)) return most;
+    return at > -most ? static_cast<int>(at) : -most;
   }
   /// Number of the cell inside the box that holds a position in it.
   [[nodiscard]] MESOGEN_HOST_DEVICE int number_of(const double* position) const {

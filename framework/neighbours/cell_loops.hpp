@@ -4,8 +4,8 @@
 #include <cstdint>
 
 #include "exec/backend.hpp"
-#include "ghosts/views.hpp"
-#include "mesogen/particles/field_view.hpp"
+#include "mesogen/fields/field_view.hpp"
+#include "neighbours/stored_views.hpp"
 
 namespace mesogen {
 
@@ -26,7 +26,7 @@ struct PlaceArguments {
   GhostView ghosts;
 };
 
-/// Particles in a cell grid: where they are in it, and how they are put in its order.
+/// Particles in a cell grid: where they are in it, and what its order is.
 class CellLoops {
  public:
   CellLoops() = default;
@@ -48,12 +48,6 @@ class CellLoops {
   /// False if a particle has strayed too far. Waits for the answer.
   virtual bool place(const CellGrid& grid, const PlaceArguments<float>& arguments) const = 0;
   virtual bool place(const CellGrid& grid, const PlaceArguments<double>& arguments) const = 0;
-
-  virtual void permute(float* values, const Index* order, Index count, float* scratch) const = 0;
-  virtual void permute(double* values, const Index* order, Index count, double* scratch) const = 0;
-  virtual void permute(std::int32_t* values, const Index* order, Index count, std::int32_t* scratch) const = 0;
-  virtual void permute(std::int64_t* values, const Index* order, Index count, std::int64_t* scratch) const = 0;
-  virtual void copy(const double* from, double* to, Index count) const = 0;
 };
 
 }  // namespace exec

@@ -86,21 +86,6 @@ struct PlaceWalls {
   }
 };
 
-template <class T>
-struct Gather {
-  const T* from;
-  const Index* order;
-  T* to;
-  MESOGEN_HOST_DEVICE void operator()(Index n) const { to[n] = from[order[n]]; }
-};
-
-template <class T>
-struct Copy {
-  const T* from;
-  T* to;
-  MESOGEN_HOST_DEVICE void operator()(Index n) const { to[n] = from[n]; }
-};
-
 /// All that can be written as loops over what is there: not how particles are put in order.
 class CellLoopsImpl : public CellLoops {
  public:
@@ -118,21 +103,6 @@ class CellLoopsImpl : public CellLoops {
   bool place(const CellGrid& grid, const PlaceArguments<double>& arguments) const override {
     return place_particles(grid, arguments);
   }
-  void permute(float* values, const Index* order, Index count, float* scratch) const override {
-    permuted(values, order, count, scratch);
-  }
-  void permute(double* values, const Index* order, Index count, double* scratch) const override {
-    permuted(values, order, count, scratch);
-  }
-  void permute(std::int32_t* values, const Index* order, Index count, std::int32_t* scratch) const override {
-    permuted(values, order, count, scratch);
-  }
-  void permute(std::int64_t* values, const Index* order, Index count, std::int64_t* scratch) const override {
-    permuted(values, order, count, scratch);
-  }
-  void copy(const double* from, double* to, Index count) const override {
-    for_each(space_, count, Copy<double>{from, to}, "copying positions");
-  }
 
  protected:
   [[nodiscard]] const Space& space() const { return space_; }
@@ -148,12 +118,6 @@ class CellLoopsImpl : public CellLoops {
     for_each(space_, arguments.ghosts.count, PlaceGhosts<Real>{grid.dimension(), arguments}, "placing ghosts");
     return true;
   }
-  template <class T>
-  void permuted(T* values, const Index* order, Index count, T* scratch) const {
-    for_each(space_, count, Gather<T>{values, order, scratch}, "putting particles in order");
-    for_each(space_, count, Copy<T>{scratch, values}, "putting particles in order");
-  }
-
   Space space_;
   Reductions& reductions_;
 };

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "mesogen/export.hpp"
-#include "mesogen/neighbours/neighbours.hpp"
+#include "mesogen/sph/neighbours.hpp"
 
 namespace mesogen {
 

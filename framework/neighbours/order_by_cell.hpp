@@ -3,7 +3,7 @@
 #include <cstdint>
 
 #include "mesogen/export.hpp"
-#include "mesogen/particles/field_view.hpp"
+#include "mesogen/fields/field_view.hpp"
 
 namespace mesogen::exec {
 

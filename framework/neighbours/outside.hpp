@@ -1,7 +1,7 @@
 #pragma once
 
 #include "mesogen/export.hpp"
-#include "mesogen/particles/field_view.hpp"
+#include "mesogen/fields/field_view.hpp"
 
 namespace mesogen::exec {
 

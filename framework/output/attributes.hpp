@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "mesogen/particles/rank.hpp"
+#include "mesogen/fields/rank.hpp"
 #include "output/hdf5.hpp"
 
 /// What a dataset of results says of its values.

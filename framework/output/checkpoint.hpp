@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "mesogen/export.hpp"
-#include "mesogen/particles/rank.hpp"
+#include "mesogen/fields/rank.hpp"
 #include "output/run_record.hpp"
 
 namespace mesogen {

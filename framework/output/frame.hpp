@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "mesogen/export.hpp"
-#include "mesogen/particles/rank.hpp"
+#include "mesogen/fields/rank.hpp"
 
 namespace mesogen {
 

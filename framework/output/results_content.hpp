@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "mesogen/particles/field_view.hpp"
+#include "mesogen/fields/field_view.hpp"
 #include "output/frame.hpp"
 #include "output/run_record.hpp"
 #include "output/sample_store.hpp"

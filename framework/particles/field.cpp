@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "neighbours/cell_loops.hpp"
 #include "particles/field_loops.hpp"
+#include "particles/storage_loops.hpp"
 
 namespace mesogen {
 
@@ -86,7 +86,7 @@ void Field::permute(const exec::Array<Index>& order, Scratch& scratch) {
     room.resize_for_overwrite(order.size());
     auto* const all = values.device(exec::Access::read_write);
     for (int c = 0; c < components_; ++c)
-      backend_.cells().permute(all + c * stride_, order.device(), count, room.device(exec::Access::write));
+      backend_.storage().permute(all + c * stride_, order.device(), count, room.device(exec::Access::write));
   };
   permuted(single_, scratch.single);
   permuted(double_, scratch.exact);

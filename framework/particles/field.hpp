@@ -10,8 +10,8 @@
 #include "exec/array.hpp"
 #include "exec/backend.hpp"
 #include "mesogen/export.hpp"
-#include "mesogen/particles/field_kind.hpp"
-#include "mesogen/particles/field_view.hpp"
+#include "mesogen/fields/field_kind.hpp"
+#include "mesogen/fields/field_view.hpp"
 
 namespace mesogen {
 

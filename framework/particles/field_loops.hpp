@@ -1,7 +1,7 @@
 #pragma once
 
 #include "exec/backend.hpp"
-#include "mesogen/particles/field_view.hpp"
+#include "mesogen/fields/field_view.hpp"
 
 /// Loops over the values of fields, and over particles that move by them.
 namespace mesogen::exec {

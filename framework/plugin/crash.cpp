@@ -42,7 +42,7 @@ bool on_terminal = false;
 
 #ifdef MESOGEN_SANITIZER_REPORTS
 constexpr bool sanitizer_reports = true;
-constexpr std::array crashes = {SIGABRT, SIGALRM};
+constexpr std::array crashes = {SIGILL, SIGABRT, SIGALRM};  // which it leaves alone
 #else
 constexpr bool sanitizer_reports = false;
 constexpr std::array crashes = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGALRM};

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "mesogen/export.hpp"
-#include "mesogen/particles/field_kind.hpp"
+#include "mesogen/fields/field_kind.hpp"
 #include "run/setup.hpp"
 
 namespace mesogen {

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "ghosts/views.hpp"
-#include "mesogen/neighbours/neighbours.hpp"
-#include "mesogen/particles/field_view.hpp"
+#include "fields/rule_view.hpp"
+#include "mesogen/fields/field_view.hpp"
+#include "mesogen/sph/neighbours.hpp"
 #include "mesogen/sph/smoothing_kernel.hpp"
 
 /// What a field is at the mirror points of walls: interpolated by moving least squares with the kernel of the run,

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "exec/backend.hpp"
-#include "mesogen/particles/dimensions.hpp"
+#include "mesogen/fields/dimensions.hpp"
 #include "sph/standard_passes.hpp"
 
 namespace mesogen::exec {

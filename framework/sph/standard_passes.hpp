@@ -3,8 +3,8 @@
 #include <string>
 
 #include "mesogen/exec/for_each.hpp"
-#include "mesogen/neighbours/neighbours.hpp"
-#include "mesogen/particles/field_view.hpp"
+#include "mesogen/fields/field_view.hpp"
+#include "mesogen/sph/neighbours.hpp"
 #include "mesogen/sph/smoothing_kernel.hpp"
 
 /// The pair sums that several plugins need, offered by the framework. They live in a library of their own, built for

@@ -36,7 +36,7 @@ double KeptTimes::count(double end) const {
   std::vector<double> times;
   for (const double time : times_)
     if (time > 0.0 && time <= reached(end)) times.push_back(time);
-  times.erase(std::ranges::unique(times, same).begin(), times.end());
+  times.erase(std::unique(times.begin(), times.end(), same), times.end());
   // Those that are multiples too count once.
   std::erase_if(times, [&](double time) { return every_.has(time); });
   return every_.count(end) + static_cast<double>(times.size());

@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "../../plugins/physics/wcsph/passes.hpp"
-#include "neighbours/neighbourhood.hpp"
+#include "ghosts/neighbourhood.hpp"
 #include "sph/passes/derivatives.hpp"
 
 namespace {

@@ -8,9 +8,9 @@
 
 #include "defect_field.hpp"
 #include "mesogen/exec/random.hpp"
-#include "mesogen/particles/waves.hpp"
 #include "mesogen/plugin/initial.hpp"
 #include "mesogen/plugin/plugin.hpp"
+#include "mesogen/plugin/waves.hpp"
 
 namespace {
 

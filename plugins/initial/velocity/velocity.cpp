@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "mesogen/particles/waves.hpp"
 #include "mesogen/plugin/initial.hpp"
 #include "mesogen/plugin/plugin.hpp"
+#include "mesogen/plugin/waves.hpp"
 
 namespace {
 

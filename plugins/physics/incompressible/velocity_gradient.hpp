@@ -7,8 +7,8 @@
 #include <cstddef>
 #include <vector>
 
+#include "mesogen/fields/field_view.hpp"
 #include "mesogen/mesh/particle_spectrum.hpp"
-#include "mesogen/particles/field_view.hpp"
 
 namespace mesogen::incompressible {
 

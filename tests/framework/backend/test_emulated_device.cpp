@@ -104,7 +104,7 @@ Story run_emulated(const CaseText& text, const OnDevice& on_device) {
 // Element by element, since what is not a number, such as a quantity of no defects, is not equal to itself.
 void expect_same(const Story& emulated, const Story& host) {
   const auto same = [](const std::vector<double>& a, const std::vector<double>& b) {
-    return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0;
+    return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0);
   };
   EXPECT_GT(host.told.size(), 20U);
   EXPECT_EQ(emulated.state.integers, host.state.integers);
@@ -156,7 +156,8 @@ TEST(EmulatedDevice, ClosestPairIsThatOfTheHost) {
   EXPECT_EQ(std::tuple(emulated->a, emulated->b, emulated->distance), std::tuple(host->a, host->b, host->distance));
 }
 
-/// Forgets to copy one way.
+/// Forgets to copy one way, but for what is smaller than the doubles of all particles: a loop that goes by a list of
+/// indices that were never written would read anywhere.
 class ForgetfulMemory final : public exec::EmulatedMemory {
  public:
   explicit ForgetfulMemory(exec::Side forgets) : forgets_(forgets) {}
@@ -164,10 +165,11 @@ class ForgetfulMemory final : public exec::EmulatedMemory {
     if (forgets_ != exec::Side::device) EmulatedMemory::to_device(device, host, bytes);
   }
   void to_host(void* host, const void* device, std::size_t bytes) override {
-    if (forgets_ != exec::Side::host) EmulatedMemory::to_host(host, device, bytes);
+    if (forgets_ != exec::Side::host || bytes < smallest) EmulatedMemory::to_host(host, device, bytes);
   }
 
  private:
+  static constexpr std::size_t smallest = 400 * sizeof(double);
   exec::Side forgets_;
 };
 

@@ -17,6 +17,7 @@
 #include "neighbours/cell_grid.hpp"
 #include "neighbours/cell_loops.hpp"
 #include "particles/field_loops.hpp"
+#include "particles/storage_loops.hpp"
 
 namespace {
 
@@ -157,6 +158,21 @@ TEST(CellLoops, RunningSums) {
   }
 }
 
+TEST(CellLoops, WhatIsNoPositionHasSomeCell) {
+  Scene scene;
+  scene.dimension = 2;
+  scene.box = {3.0, 2.0, 0.0};
+  const CellGrid grid(scene, Wrapped(), 0.4);
+  for (const double x : {nan, HUGE_VAL, -HUGE_VAL, 1e300, -1e300}) {
+    const double position[2] = {x, 1.0};
+    EXPECT_GE(grid.number_of(position), 0) << x;
+    EXPECT_LT(grid.number_of(position), grid.inside_count()) << x;
+    EXPECT_GE(grid.beside(0, x, 0), 0) << x;
+  }
+  EXPECT_LT(grid.along(0, -1e300), -1000);
+  EXPECT_GT(grid.along(0, 1e300), 1000);
+}
+
 TEST(CellLoops, OrderAndRangesAgree) {
   Scene scene;
   scene.dimension = 2;
@@ -184,7 +200,7 @@ TEST(CellLoops, OrderAndRangesAgree) {
     EXPECT_LT(std::pair(cell[a], id[a]), std::pair(cell[b], id[b]));
   }
   std::vector<Index> scratch(count);
-  loops.permute(cell.data(), order.data(), count, scratch.data());
+  Backend::host().storage().permute(cell.data(), order.data(), count, scratch.data());
   std::vector<Index> begin(static_cast<std::size_t>(grid.padded_count()), -1);
   std::vector<Index> end(static_cast<std::size_t>(grid.padded_count()), -1);
   loops.find_ranges(grid, cell.data(), count, begin.data(), end.data());

@@ -61,7 +61,7 @@ void expect_sum_kept_and_adjoint(const Grid<Dim>& grid) {
   for (std::size_t n = 0; n < field.size(); ++n) field[n] = exec::random_uniform(11, static_cast<std::int64_t>(n), 0);
   double on_grid = 0.0;
   for (std::size_t n = 0; n < field.size(); ++n) on_grid += spread[n] * field[n];
-  std::vector<double> gathered(static_cast<std::size_t>(cloud.count()), NAN);
+  std::vector<double> gathered(static_cast<std::size_t>(cloud.count()), std::nan(""));
   mesh.template gather<1>({field.data()},
                           [&](Index i, const double* there) { gathered[static_cast<std::size_t>(i)] = *there; });
   double at_particles = 0.0;

@@ -115,7 +115,7 @@ TEST(ParticleSpectrum, AVoidIsAnError) {
                  "a point of the mesh has hardly any particle about it: leave the shift of the flow at its default, or "
                  "take a coarser mesh (mesh_spacing of a flow on a mesh)");
   }
-  particles.x[5] = NAN;
+  particles.x[5] = std::nan("");
   try {
     spectrum.locate({particles.x.data(), particles.y.data()}, particles.count());
     FAIL() << "it was not noticed";

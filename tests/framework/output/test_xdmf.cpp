@@ -66,7 +66,7 @@ std::map<std::string, Array> arrays_of(const fs::path& folder, const Tree& grid)
   return arrays;
 }
 
-double single(double value) { return static_cast<float>(value); }
+double single(double value) { return static_cast<double>(static_cast<float>(value)); }
 
 /// A frame with one field of each rank.
 std::vector<FrameField> frame_of_each_rank(std::int64_t step) {

@@ -1,4 +1,4 @@
-#include "mesogen/particles/rank.hpp"
+#include "mesogen/fields/rank.hpp"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "mesogen/particles/field_view.hpp"
+#include "mesogen/fields/field_view.hpp"
 
 namespace mesogen::exec {
 

@@ -3,8 +3,8 @@
 #include <utility>
 
 #include "mesogen/export.hpp"
-#include "mesogen/particles/dimensions.hpp"
-#include "mesogen/particles/rank.hpp"
+#include "mesogen/fields/dimensions.hpp"
+#include "mesogen/fields/rank.hpp"
 
 /// From a precision and a dimension that are known at run time to code that is compiled for them, in one spot:
 ///

@@ -6,7 +6,7 @@
 #include "mesogen/exec/subnormals.hpp"
 #include "mesogen/exec/work_stealing.hpp"
 #include "mesogen/export.hpp"
-#include "mesogen/particles/field_view.hpp"
+#include "mesogen/fields/field_view.hpp"
 
 /// Where the passes of a run are executed.
 namespace mesogen::exec {

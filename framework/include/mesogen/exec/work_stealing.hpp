@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "mesogen/particles/field_view.hpp"
+#include "mesogen/fields/field_view.hpp"
 
 namespace mesogen::exec {
 

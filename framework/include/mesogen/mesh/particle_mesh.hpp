@@ -9,10 +9,10 @@
 #include <utility>
 #include <vector>
 
+#include "mesogen/fields/field_view.hpp"
 #include "mesogen/mesh/cubic_spline.hpp"
 #include "mesogen/mesh/four_points.hpp"
 #include "mesogen/mesh/grid.hpp"
-#include "mesogen/particles/field_view.hpp"
 
 namespace mesogen::mesh {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "mesogen/particles/field_view.hpp"
+#include "mesogen/fields/field_view.hpp"
 #include "mesogen/plugin/scene.hpp"
 
 namespace mesogen {

@@ -4,9 +4,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "mesogen/particles/dimensions.hpp"
-#include "mesogen/particles/field_kind.hpp"
-#include "mesogen/plugin/affine_rule.hpp"
+#include "mesogen/fields/affine_rule.hpp"
+#include "mesogen/fields/dimensions.hpp"
+#include "mesogen/fields/field_kind.hpp"
 #include "mesogen/plugin/parameters.hpp"
 #include "mesogen/plugin/scene.hpp"
 

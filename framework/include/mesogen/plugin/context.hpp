@@ -5,9 +5,9 @@
 #include <type_traits>
 
 #include "mesogen/exec/for_each.hpp"
-#include "mesogen/neighbours/neighbours.hpp"
-#include "mesogen/particles/field_view.hpp"
+#include "mesogen/fields/field_view.hpp"
 #include "mesogen/plugin/scene.hpp"
+#include "mesogen/sph/neighbours.hpp"
 
 namespace mesogen {
 

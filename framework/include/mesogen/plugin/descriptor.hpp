@@ -3,9 +3,10 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "mesogen/diagnostics/build_tag.hpp"
 #include "mesogen/export.hpp"
-#include "mesogen/particles/dimensions.hpp"
-#include "mesogen/particles/rank.hpp"
+#include "mesogen/fields/dimensions.hpp"
+#include "mesogen/fields/rank.hpp"
 
 namespace mesogen {
 
@@ -21,17 +22,6 @@ enum class PluginKind : std::int32_t { kernel = 1, boundary = 2, physics = 3, ob
 #define MESOGEN_ABI 8
 inline constexpr std::int32_t abi_number = MESOGEN_ABI;
 inline constexpr std::uint64_t descriptor_magic = 0x4e45474f53454d31ULL;  // "1MESOGEN" in memory
-
-/// Compiler and standard library that a plugin was built with: objects cross the boundary, so these must agree.
-#define MESOGEN_STRINGIFY_(x) #x
-#define MESOGEN_STRINGIFY(x) MESOGEN_STRINGIFY_(x)
-#if defined(__clang__)
-#define MESOGEN_COMPILER "clang"
-#else
-#define MESOGEN_COMPILER "gcc"
-#endif
-#define MESOGEN_BUILD_TAG \
-  MESOGEN_COMPILER "-itanium" MESOGEN_STRINGIFY(__GXX_ABI_VERSION) "-cxx11abi" MESOGEN_STRINGIFY(_GLIBCXX_USE_CXX11_ABI)
 
 /// The one thing a plugin library exports, under the name `mesogen_plugin`. Plain data, checked field by field before
 /// any C++ type behind it is touched.

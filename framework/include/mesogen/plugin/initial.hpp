@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "mesogen/export.hpp"
-#include "mesogen/particles/dimensions.hpp"
-#include "mesogen/particles/field_view.hpp"
-#include "mesogen/particles/rank.hpp"
+#include "mesogen/fields/dimensions.hpp"
+#include "mesogen/fields/field_view.hpp"
+#include "mesogen/fields/rank.hpp"
 #include "mesogen/plugin/parameters.hpp"
 #include "mesogen/plugin/passes.hpp"
 #include "mesogen/plugin/scene.hpp"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "mesogen/particles/dimensions.hpp"
+#include "mesogen/fields/dimensions.hpp"
 #include "mesogen/plugin/parameters.hpp"
 #include "mesogen/sph/kernel_shape.hpp"
 

@@ -8,8 +8,8 @@
 #include <string_view>
 #include <vector>
 
-#include "mesogen/particles/dimensions.hpp"
-#include "mesogen/particles/field_view.hpp"
+#include "mesogen/fields/dimensions.hpp"
+#include "mesogen/fields/field_view.hpp"
 #include "mesogen/plugin/parameters.hpp"
 #include "mesogen/plugin/scene.hpp"
 

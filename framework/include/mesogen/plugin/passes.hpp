@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "mesogen/export.hpp"
-#include "mesogen/particles/rank.hpp"
+#include "mesogen/fields/rank.hpp"
 #include "mesogen/plugin/advice.hpp"
 #include "mesogen/plugin/scene.hpp"
 #include "mesogen/plugin/step_limits.hpp"

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "mesogen/export.hpp"
-#include "mesogen/particles/field_view.hpp"
-#include "mesogen/particles/rank.hpp"
+#include "mesogen/fields/field_view.hpp"
+#include "mesogen/fields/rank.hpp"
 
 namespace mesogen {
 

@@ -2,7 +2,7 @@
 
 #include "mesogen/exec/lanes.hpp"
 #include "mesogen/exec/unroll.hpp"
-#include "mesogen/neighbours/neighbours.hpp"
+#include "mesogen/sph/neighbours.hpp"
 
 namespace mesogen::sph {
 

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "exec/work_clock.hpp"
+#include "ghosts/neighbourhood.hpp"
 #include "mesogen/export.hpp"
-#include "neighbours/neighbourhood.hpp"
 #include "particles/field.hpp"
 #include "particles/particles.hpp"
 

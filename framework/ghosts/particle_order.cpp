@@ -1,4 +1,4 @@
-#include "neighbours/particle_order.hpp"
+#include "ghosts/particle_order.hpp"
 
 namespace mesogen {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "mesogen/particles/field_view.hpp"
+#include "mesogen/fields/field_view.hpp"
 
 namespace mesogen {
 

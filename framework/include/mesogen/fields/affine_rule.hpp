@@ -3,7 +3,7 @@
 #include <array>
 #include <span>
 
-#include "mesogen/particles/field_kind.hpp"
+#include "mesogen/fields/field_kind.hpp"
 
 namespace mesogen {
 

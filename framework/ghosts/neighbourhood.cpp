@@ -1,4 +1,4 @@
-#include "neighbours/neighbourhood.hpp"
+#include "ghosts/neighbourhood.hpp"
 
 #include <cmath>
 
@@ -6,6 +6,7 @@
 #include "mesogen/exec/first_failure.hpp"
 #include "neighbours/cell_loops.hpp"
 #include "neighbours/outside.hpp"
+#include "particles/storage_loops.hpp"
 
 namespace mesogen {
 
@@ -155,14 +156,15 @@ void Neighbourhood::keep_inside(Particles& particles) {
 void Neighbourhood::sort_particles(Particles& particles) {
   const Index count = particles.count();
   keep_inside(particles);
-  const exec::CellLoops& loops = backend_.cells();
+  const exec::StorageLoops& loops = backend_.storage();
   for (int d = 0; d < scene_.dimension; ++d) {
     sorted_position_[d].resize_for_overwrite(particles.id.size());
     loops.copy(particles.position[d].device(), sorted_position_[d].device(Access::write), count);
   }
   find_cells();
   order_.resize_for_overwrite(particles.id.size());
-  loops.order(cell_of_.device(), particles.id.device(), count, grid_.inside_count(), order_.device(Access::write));
+  backend_.cells().order(cell_of_.device(), particles.id.device(), count, grid_.inside_count(),
+                         order_.device(Access::write));
   const auto permute = [&](auto& values, auto& scratch) {
     scratch.resize_for_overwrite(values.size());
     loops.permute(values.device(Access::read_write), order_.device(), count, scratch.device(Access::write));

@@ -1,4 +1,4 @@
-#include "mesogen/particles/dimensions.hpp"
+#include "mesogen/fields/dimensions.hpp"
 
 namespace mesogen {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "mesogen/particles/rank.hpp"
+#include "mesogen/fields/rank.hpp"
 
 namespace mesogen {
 

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cstdint>
+
+#include "mesogen/exec/for_each.hpp"
+#include "particles/storage_loops.hpp"
+
+namespace mesogen::exec {
+
+template <class T>
+struct Gather {
+  const T* from;
+  const Index* order;
+  T* to;
+  MESOGEN_HOST_DEVICE void operator()(Index n) const { to[n] = from[order[n]]; }
+};
+
+template <class T>
+struct Copy {
+  const T* from;
+  T* to;
+  MESOGEN_HOST_DEVICE void operator()(Index n) const { to[n] = from[n]; }
+};
+
+class StorageLoopsImpl final : public StorageLoops {
+ public:
+  explicit StorageLoopsImpl(const Space& space) : space_(space) {}
+
+  void permute(float* values, const Index* order, Index count, float* scratch) const override {
+    permuted(values, order, count, scratch);
+  }
+  void permute(double* values, const Index* order, Index count, double* scratch) const override {
+    permuted(values, order, count, scratch);
+  }
+  void permute(std::int32_t* values, const Index* order, Index count, std::int32_t* scratch) const override {
+    permuted(values, order, count, scratch);
+  }
+  void permute(std::int64_t* values, const Index* order, Index count, std::int64_t* scratch) const override {
+    permuted(values, order, count, scratch);
+  }
+  void copy(const double* from, double* to, Index count) const override {
+    for_each(space_, count, Copy<double>{from, to}, "copying positions");
+  }
+
+ private:
+  template <class T>
+  void permuted(T* values, const Index* order, Index count, T* scratch) const {
+    for_each(space_, count, Gather<T>{values, order, scratch}, "putting particles in order");
+    for_each(space_, count, Copy<T>{scratch, values}, "putting particles in order");
+  }
+
+  Space space_;
+};
+
+}  // namespace mesogen::exec
