@@ -31,7 +31,8 @@ build_and_test() {
 prefix=$work/mesogen
 quietly cmake --install "$build" --prefix "$prefix"
 mesogen=$prefix/bin/mesogen
-if grep -rlF -e "$build" -e "$source" "$prefix/lib/cmake"; then
+# A path may be short, such as /mesogen: only where a path begins is it meant.
+if grep -rlP "(?<![\w.}/-])(\Q$build\E|\Q$source\E)/" "$prefix/lib/cmake"; then
   echo "failed: these installed files name folders of the build" >&2
   exit 1
 fi
