@@ -252,7 +252,7 @@ def main():
     if options.quick:
         options.across, options.large, options.repeats = [16, 24, 32], [48], 1
     options.build = options.build.resolve()
-    program = options.finite_volume or options.build / "bin" / f"finite_volume-{instruction_set()}"
+    program = options.finite_volume or options.build / "bin" / f"finite_volume-{instruction_set(options.build / 'bin' / 'mesogen')}"
     found = measure(options, program.resolve())
     options.charts.parent.mkdir(parents=True, exist_ok=True)
     write_csv(found, options.charts.with_suffix(".csv"))

@@ -78,7 +78,7 @@ def millions_a_second(across, seconds):
 
 
 def passes(options, effort):
-    best = measure_passes(options.build / f"bin/passes-{instruction_set()}", *effort)
+    best = measure_passes(options.build / f"bin/passes-{instruction_set(options.mesogen)}", *effort)
     peak = {precision: best[f"machine: multiply, add/{precision}"]["operations_per_second"] for precision in PRECISIONS}
     figures = [Figure("machine", f"operations, {precision} precision", "a core can do",
                       f"{1e-9 * peak[precision]:.3g} Gflop/s") for precision in PRECISIONS]
@@ -199,7 +199,7 @@ def machine(options, load):
     with open("/proc/cpuinfo", encoding="utf-8") as file:
         names = [line.split(":")[1].strip() for line in file if line.startswith("model name")]
     return (f"{names[0] if names else 'unknown processor'}, {core_count()} cores, instruction set "
-            f"{instruction_set()}; {call([options.mesogen, '--version'], None).strip()}; "
+            f"{instruction_set(options.mesogen)}; {call([options.mesogen, '--version'], None).strip()}; "
             f"{datetime.date.today().isoformat()}" +
             (f"; **the machine was busy (load {load:.1f}): rough**" if load > MOST_LOAD else ""))
 

@@ -50,10 +50,9 @@ class Run:
         self.sorting = 1e-6 * max(orderings)
 
 
-def instruction_set():
-    """What the plugin loader would pick of the sets that plugins are built for."""
-    with open("/proc/cpuinfo", encoding="utf-8") as file:
-        return "x86-64-v4" if "avx512vl" in file.read() else "x86-64-v3"
+def instruction_set(mesogen):
+    """What the plugin loader picks of the sets that plugins are built for."""
+    return json.loads(call([mesogen, "plugin", "info", "wcsph", "--json"], None))["plugins"][0]["instruction_set"]
 
 
 def paper_case():

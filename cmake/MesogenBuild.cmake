@@ -2,7 +2,7 @@
 set(CMAKE_CXX_STANDARD 20)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)
 set(CMAKE_CXX_EXTENSIONS OFF)
-# Programs as libraries, so that all can share what is precompiled.
+# Programs too: a precompiled header fits only where flags are the same.
 add_compile_options($<$<COMPILE_LANGUAGE:C,CXX>:-fPIC>)
 set(CMAKE_CXX_VISIBILITY_PRESET hidden)
 set(CMAKE_VISIBILITY_INLINES_HIDDEN ON)
@@ -36,6 +36,7 @@ endif()
 if(MESOGEN_TIDY)
   find_program(CLANG_TIDY clang-tidy REQUIRED)
   set(CMAKE_CXX_CLANG_TIDY ${CLANG_TIDY})
+  set(CMAKE_DISABLE_PRECOMPILE_HEADERS ON)  # those of another compiler tell it nothing
 endif()
 
 # For NVIDIA GPUs too? It takes nvcc several times as long as all the rest, so by default only where there is a GPU.

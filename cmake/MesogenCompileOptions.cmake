@@ -1,22 +1,27 @@
 # How pair loops are compiled, here and in plugins elsewhere: warnings, floating point, instruction sets.
 
-# Wider instruction sets that pair loops are built for beside the baseline: by default the one of this machine, for each
+# Wider instruction sets that pair loops are built for beside the baseline: `auto` is the one of this machine, for each
 # takes its time to compile. The folder names are those of glibc-hwcaps: the dynamic linker itself picks the library that
 # fits the processor, and the plugin loader does the same for plugins.
-if(NOT DEFINED MESOGEN_INSTRUCTION_SETS)
+set(MESOGEN_INSTRUCTION_SETS auto CACHE STRING
+    "Instruction sets that pair loops are built for beside the baseline: auto, or a list of x86-64-v3 and x86-64-v4")
+if(MESOGEN_INSTRUCTION_SETS STREQUAL auto)
   execute_process(COMMAND ${CMAKE_CXX_COMPILER} -march=native -dM -E -x c++ /dev/null
                   OUTPUT_VARIABLE features ERROR_QUIET)
-  set(widest "")
+  set(MESOGEN_INSTRUCTION_SETS "")
   if(MESOGEN_SANITIZE)
     # one library for all, by the flags given
   elseif(features MATCHES "__AVX512VL__" AND features MATCHES "__AVX512DQ__")
-    set(widest x86-64-v4)
+    set(MESOGEN_INSTRUCTION_SETS x86-64-v4)
   elseif(features MATCHES "__AVX2__" AND features MATCHES "__FMA__")
-    set(widest x86-64-v3)
+    set(MESOGEN_INSTRUCTION_SETS x86-64-v3)
   endif()
-  set(MESOGEN_INSTRUCTION_SETS "${widest}" CACHE STRING
-      "Instruction sets that pair loops are built for: of x86-64-v3 and x86-64-v4")
 endif()
+foreach(set IN LISTS MESOGEN_INSTRUCTION_SETS)
+  if(NOT set MATCHES "^x86-64-v[34]$")
+    message(FATAL_ERROR "MESOGEN_INSTRUCTION_SETS: '${set}' is none; take auto, or a list of x86-64-v3 and x86-64-v4")
+  endif()
+endforeach()
 set(MESOGEN_INSTRUCTION_SET_OPTIONS "")
 if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
   # GCC 12 takes its own AVX-512 intrinsics for uninitialised (its bug 105593); the baseline build still warns.

@@ -8,6 +8,13 @@ install(DIRECTORY cases studies DESTINATION share/mesogen)
 install(DIRECTORY docs/accuracy docs/stability docs/performance docs/study DESTINATION share/doc/mesogen/docs)
 install(DIRECTORY examples DESTINATION share/doc/mesogen)
 
+# What an earlier Mesogen left beside this one would be loaded instead of it.
+foreach(set IN ITEMS x86-64-v3 x86-64-v4)
+  if(NOT set IN_LIST MESOGEN_INSTRUCTION_SETS)
+    install(CODE "file(REMOVE \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/lib/glibc-hwcaps/${set}/libmesogen_sph.so\")")
+  endif()
+endforeach()
+
 # find_package(Mesogen), from an installation and, without one, from the build folder.
 include(CMakePackageConfigHelpers)
 set(package lib/cmake/Mesogen)

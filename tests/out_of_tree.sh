@@ -32,7 +32,7 @@ prefix=$work/mesogen
 quietly cmake --install "$build" --prefix "$prefix"
 mesogen=$prefix/bin/mesogen
 # A path may be short, such as /mesogen: only where a path begins is it meant.
-if grep -rlP "(?<![\w.}/-])(\Q$build\E|\Q$source\E)/" "$prefix/lib/cmake"; then
+if grep -rlP "((?<=-[IL])|(?<![\w.}/-]))(\Q$build\E|\Q$source\E)(?=[/\";\s]|$)" "$prefix/lib/cmake"; then
   echo "failed: these installed files name folders of the build" >&2
   exit 1
 fi

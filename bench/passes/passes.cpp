@@ -1,7 +1,7 @@
 // What does a pair cost? Every sum over neighbours that the standard model has, by precision and kernel: ns a pair on
 // one core, pairs counted within the support. Beside it what the pass does at a pair and how fast the machine could.
 //
-//     OMP_NUM_THREADS=1 build/release/bin/passes-x86-64-v3 [--across=500] [--benchmark_filter=...]
+//     OMP_NUM_THREADS=1 build/release/bin/passes-x86-64-v4 [--across=500] [--benchmark_filter=...]
 //     [--benchmark_format=json]
 //
 // bench/speed.py runs it and makes docs/performance.md.

@@ -20,7 +20,8 @@ class MESOGEN_EXPORT CellGrid {
 
   using Cell = std::array<int, 3>;
 
-  /// Cell along one axis, not bounded by the box; some cell far away for what no int can count, or is not a number.
+  /// Cell along one axis, not bounded by the box. A far one where the number fits no int, or the position is not a
+  /// number.
   [[nodiscard]] MESOGEN_HOST_DEVICE int along(int axis, double position) const {
     constexpr int most = 1'000'000'000;
     const double at = ::floor(position / width_[axis]);

@@ -118,6 +118,7 @@ class CellLoopsImpl : public CellLoops {
     for_each(space_, arguments.ghosts.count, PlaceGhosts<Real>{grid.dimension(), arguments}, "placing ghosts");
     return true;
   }
+
   Space space_;
   Reductions& reductions_;
 };

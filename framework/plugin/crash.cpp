@@ -42,7 +42,7 @@ bool on_terminal = false;
 
 #ifdef MESOGEN_SANITIZER_REPORTS
 constexpr bool sanitizer_reports = true;
-constexpr std::array crashes = {SIGILL, SIGABRT, SIGALRM};  // which it leaves alone
+constexpr std::array crashes = {SIGILL, SIGABRT, SIGALRM};  // sanitizers leave these alone
 #else
 constexpr bool sanitizer_reports = false;
 constexpr std::array crashes = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGALRM};

@@ -16,7 +16,7 @@ MESOGEN_EXPORT std::vector<std::string> usable_instruction_sets();
 /// The same, for a given processor (all that it has, best first) and cap (empty: none).
 MESOGEN_EXPORT std::vector<std::string> capped(const std::vector<std::string>& sets, std::string_view cap);
 
-/// What to tell who runs code that was `built` for the baseline on a processor with wider `sets`; empty otherwise.
+/// What to tell who runs code that was `built` for less than the best of `sets`, which the processor has; or empty.
 MESOGEN_EXPORT std::string narrow_code_text(std::string_view built, const std::vector<std::string>& sets);
 
 struct Variant {

@@ -185,6 +185,20 @@ class Plugins(CommandTest):
         _, err = self.mesogen("plugin", "list", MESOGEN_SIMD="mmx", code=2)
         self.assertIn('MESOGEN_SIMD is "mmx"', err)
 
+    def test_a_run_tells_that_its_sums_could_be_faster(self):
+        out, _ = self.mesogen("plugin", "info", "wcsph")
+        best = out.split("wcsph.so (")[1].split(")")[0]
+        if best == "baseline" or os.environ.get("SANITIZED"):
+            self.skipTest("this processor or build has one instruction set alone")
+        case = self.write_case(CASE)
+        _, err = self.mesogen("run", case, "--output", "fast")
+        self.assertNotIn("sums over neighbours", err)
+        # The dynamic linker then takes the library of the baseline.
+        _, err = self.mesogen("run", case, "--output", "slow", GLIBC_TUNABLES="glibc.cpu.hwcaps=-AVX2,-AVX512F")
+        self.assertRegex(err, r"warning: sums over neighbours run in code for baseline, but this processor has "
+                              r"(x86-64-v[34]): they would be faster if Mesogen were built on this machine, or with "
+                              r"-DMESOGEN_INSTRUCTION_SETS=\1\n")
+
     def test_baseline_instruction_set(self):
         out, _ = self.mesogen("plugin", "info", "wcsph", MESOGEN_SIMD="baseline")
         self.assertIn("(baseline)", out)

@@ -1,5 +1,5 @@
-"""Dependencies point one way: no folder of the framework includes another that includes it, on whatever way, and the
-framework includes nothing of what is built on it."""
+"""Dependencies point one way: a folder of the framework includes only folders that stand above it in the table of
+ARCHITECTURE.md, nothing of what is built on the framework, and a plugin includes no other plugin."""
 
 import os
 import re
@@ -15,8 +15,9 @@ def sources():
     for top in ("framework", "nematics", "testing", "plugins", "app"):
         for folder, _, names in os.walk(os.path.join(ROOT, top)):
             for name in names:
-                if name.endswith((".hpp", ".cpp", ".cu")) and "templates" not in folder:
-                    yield os.path.relpath(os.path.join(folder, name), ROOT)
+                path = os.path.relpath(os.path.join(folder, name), ROOT)
+                if name.endswith((".hpp", ".cpp", ".cu")) and not path.startswith("app/templates"):
+                    yield path
 
 
 def part_of(path):
@@ -49,34 +50,26 @@ def arrows():
 
 
 class Includes(unittest.TestCase):
-    def test_no_arrow_between_folders_returns(self):
-        found = arrows()
+    def test_folders_include_those_above_them_in_the_table(self):
+        with open(os.path.join(ROOT, "ARCHITECTURE.md"), encoding="utf-8") as file:
+            order = re.findall(r"^\| `(framework/\w+)` \|", file.read(), re.MULTILINE)
+        found = {arrow: text for arrow, text in arrows().items()
+                 if arrow[0].startswith("framework/") and arrow[1] in order}
         self.assertIn(("framework/run", "framework/schedule"), found, "nothing was read")
-        beneath = {}
-        for start, end in found:
-            beneath.setdefault(start, set()).add(end)
-
-        def reached(folder, seen):
-            for other in beneath.get(folder, ()):
-                if other not in seen:
-                    seen.add(other)
-                    reached(other, seen)
-            return seen
-
-        back = [text for (start, end), text in found.items() if start in reached(end, set())]
-        self.assertEqual(back, [], "these includes are part of a circle of folders")
+        self.assertEqual(sorted({start for start, _ in found} - set(order)), [], "folders that the table does not have")
+        self.assertEqual([text for (start, end), text in found.items() if order.index(end) > order.index(start)], [])
 
     def test_the_framework_knows_nothing_above_it(self):
         up = [text for (start, end), text in arrows().items()
               if start.startswith("framework/") and not end.startswith("framework/")]
         self.assertEqual(up, [])
 
-    def test_plugins_know_the_public_headers_alone(self):
-        public = ("plugins/", "framework/include/", "nematics/include/")
-        private = [f"{path} includes {other}" for path in sources()
-                   if path.startswith("plugins/") and not os.path.basename(path).startswith("test_")
-                   for other in included(path) if not other.startswith(public)]
-        self.assertEqual(private, [])
+    def test_plugins_include_public_headers_and_their_own(self):
+        public = ("framework/include/", "nematics/include/")
+        others = [f"{path} includes {other}" for path in sources()
+                  if path.startswith("plugins/") and not os.path.basename(path).startswith("test_")
+                  for other in included(path) if not other.startswith((*public, os.path.dirname(path) + "/"))]
+        self.assertEqual(others, [])
 
 
 if __name__ == "__main__":

@@ -156,8 +156,8 @@ TEST(EmulatedDevice, ClosestPairIsThatOfTheHost) {
   EXPECT_EQ(std::tuple(emulated->a, emulated->b, emulated->distance), std::tuple(host->a, host->b, host->distance));
 }
 
-/// Forgets to copy one way, but for what is smaller than the doubles of all particles: a loop that goes by a list of
-/// indices that were never written would read anywhere.
+/// Forgets to copy one way. To the host it still copies what is smaller than the doubles of all particles: a loop that
+/// goes by a list of indices that was never written would read anywhere.
 class ForgetfulMemory final : public exec::EmulatedMemory {
  public:
   explicit ForgetfulMemory(exec::Side forgets) : forgets_(forgets) {}
