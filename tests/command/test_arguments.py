@@ -127,7 +127,7 @@ class Arguments(CommandTest):
 class FirstLinesOfARun(CommandTest):
     def test_tell_where_results_go_and_how_it_computes(self):
         _, err = self.mesogen("run", self.write_case(name="vortex.toml"))
-        self.assertRegex(err, r"\Aresults go to output/vortex\n\d+ particles, 1 thread, ")
+        self.assertRegex(err, r"\Aresults go to output/vortex\n\d+ particles, \d threads?, ")
         _, err = self.mesogen("run", "vortex.toml", "--output", "mine", "--threads", "2")
         self.assertRegex(err, r"\Aresults go to mine\n\d+ particles, 2 threads, ")
 
