@@ -57,12 +57,12 @@ class Counted {
     return cells + blocks() + listing + ghosts_ * (ghost + beyond) + walls_ * (wall() + beyond);
   }
 
-  /// The wall particle itself, its place and its mirror point's; blocks and weights of the particles around that, which
-  /// are about three quarters of what a particle has around it.
+  /// The wall particle itself, its place and its mirror point's; blocks and both kinds of weights of the particles
+  /// around that, which are about three quarters of what a particle has around it.
   [[nodiscard]] double wall() const {
     const double around = 0.75 * blocks_ / particles_;
-    return sizeof(WallSet::Member) + axes_ * 2.0 * exact + 12.0 +
-           around * (sizeof(NeighbourBlock) + block_width_ * exact);
+    return sizeof(WallSet::Member) + axes_ * 4.0 * exact + 12.0 +
+           around * (sizeof(NeighbourBlock) + 2.0 * block_width_ * exact);
   }
 
   [[nodiscard]] double blocks() const { return blocks_ * sizeof(NeighbourBlock); }

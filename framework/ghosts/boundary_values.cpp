@@ -1,5 +1,7 @@
 #include "ghosts/boundary_values.hpp"
 
+#include <algorithm>
+
 #include "ghosts/ghost_loops.hpp"
 #include "mesogen/exec/dispatch.hpp"
 #include "sph/mirror_values.hpp"
@@ -31,7 +33,7 @@ void BoundaryValues::refresh(Field& field) {
 const BoundaryValues::Rules& BoundaryValues::rules_of(const Field& field) {
   const auto at = rules_.find(field.name());
   if (at != rules_.end()) return at->second;
-  const Rules same{{{}, clock_.backend.memory()}, {{}, clock_.backend.memory()}};
+  const Rules same{{{}, clock_.backend.memory()}, {{}, clock_.backend.memory()}, {}, {}, false};
   return rules_.emplace(field.name(), field.kind ? ask(*field.kind) : same).first->second;
 }
 
@@ -41,11 +43,23 @@ BoundaryValues::Rules BoundaryValues::ask(const FieldKind& field) const {
   for (int image = 0; image < images.count; ++image)
     ghosts.push_back(boundary_.ghost_rule(scene_, field, boxes_of(images, image)));
   std::vector<AffineRule> walls;
+  std::vector<std::uint8_t> curved;
+  std::vector<double> at_wall;
   for (const WallSet::Member& wall : neighbourhood_.walls().members()) {
     const AffineRule own = boundary_.wall_rule(scene_, field, wall.particle);
     walls.push_back(wall.image == WallSet::no_image ? own : ghosts[static_cast<std::size_t>(wall.image)].after(own));
+    curved.push_back(own.curved() ? 1 : 0);
+    for (int c = 0; c < own.components(); ++c) at_wall.push_back(own.summand(c) / 2.0);
   }
-  return {{ghosts, clock_.backend.memory()}, {walls, clock_.backend.memory()}};
+  if (std::ranges::find(curved, 1) == curved.end()) {
+    curved.clear();
+    at_wall.clear();
+  }
+  return {{ghosts, clock_.backend.memory()},
+          {walls, clock_.backend.memory()},
+          std::move(curved),
+          std::move(at_wall),
+          field.rank == Rank::vector};
 }
 
 template <class Real>
@@ -56,19 +70,30 @@ void BoundaryValues::refresh_ghosts(Field& field) {
                                   field.view<Real>(device, exec::Access::read_write), field.components());
 }
 
+template <class Real, int Dim>
+const double* BoundaryValues::find(sph::MirrorFit fit, Weights& weights) {
+  if (weights.version != neighbourhood_.version()) {
+    const sph::MirrorPoints<Dim> points = neighbourhood_.mirrors<Dim>();
+    Neighbours<Real, Dim> neighbours{};
+    neighbourhood_.fill(neighbours, exec::Side::host);
+    weights.values.resize(static_cast<std::size_t>(points.block_begin[points.count]) * NeighbourBlock::width<Real>);
+    sph::find_mirror_weights<Real, Dim>(fit, neighbours, points, kernel_, weights.values.data());
+    weights.version = neighbourhood_.version();
+  }
+  return weights.values.data();
+}
+
 // On the host, wherever the rest is.
 template <class Real, int Dim>
 void BoundaryValues::refresh_walls(Field& field) {
   constexpr auto host = exec::Side::host;
-  const sph::MirrorPoints<Dim> points = neighbourhood_.mirrors<Dim>();
-  if (weights_version_ != neighbourhood_.version()) {
-    Neighbours<Real, Dim> neighbours{};
-    neighbourhood_.fill(neighbours, host);
-    weights_.resize(static_cast<std::size_t>(points.block_begin[points.count]) * NeighbourBlock::width<Real>);
-    sph::find_mirror_weights<Real, Dim>(neighbours, points, kernel_, weights_.data());
-    weights_version_ = neighbourhood_.version();
-  }
-  sph::refresh_walls<Real, Dim>(points, weights_.data(), rules_of(field).walls.view(host),
+  const Rules& rules = rules_of(field);
+  const bool any_curved = !rules.curved.empty();
+  const bool any_linear = !any_curved || rules.vector || std::ranges::find(rules.curved, 0) != rules.curved.end();
+  const sph::MirrorWeights weights{any_linear ? find<Real, Dim>(sph::MirrorFit::linear, linear_) : nullptr,
+                                   any_curved ? find<Real, Dim>(sph::MirrorFit::curved, curved_) : nullptr};
+  const sph::CurvedValues curved{rules.vector, any_curved ? rules.curved.data() : nullptr, rules.at_wall.data()};
+  sph::refresh_walls<Real, Dim>(neighbourhood_.mirrors<Dim>(), weights, curved, rules.walls.view(host),
                                 field.view<Real>(host, exec::Access::read_write), field.components(),
                                 neighbourhood_.wall_view(host).first);
 }

@@ -37,6 +37,9 @@ class MESOGEN_EXPORT BoundaryValues {
   struct Rules {
     RuleTable ghosts;
     RuleTable walls;
+    std::vector<std::uint8_t> curved;  ///< by wall particle; empty where the field is curved at none
+    std::vector<double> at_wall;       ///< by wall particle, then component; likewise
+    bool vector = false;               ///< the field is one
   };
   const Rules& rules_of(const Field& field);
   [[nodiscard]] Rules ask(const FieldKind& field) const;
@@ -51,8 +54,15 @@ class MESOGEN_EXPORT BoundaryValues {
   const sph::SmoothingKernel& kernel_;
   const WorkClock& clock_;
   std::map<std::string, Rules, std::less<>> rules_;  // by field
-  std::vector<double> weights_;                      // see sph/mirror_values.hpp
-  std::uint64_t weights_version_ = 0;                // of the neighbourhood that they belong to
+  /// See sph/mirror_values.hpp.
+  struct Weights {
+    std::vector<double> values;
+    std::uint64_t version = 0;  ///< of the neighbourhood that they belong to
+  };
+  template <class Real, int Dim>
+  const double* find(sph::MirrorFit fit, Weights& weights);
+  Weights linear_;
+  Weights curved_;
   Counter refreshing_{"framework: values beyond the faces"};
 };
 

@@ -45,8 +45,14 @@ Neighbourhood::Neighbourhood(const Scene& scene, const Boundary& boundary, const
 void Neighbourhood::place_mirrors() {
   for (const WallSet::Member& wall : walls_.members()) {
     mirror_cell_.push_back(grid_.nearest_inside(wall.particle.mirror));
-    for (int d = 0; d < scene_.dimension; ++d)
+    for (int d = 0; d < scene_.dimension; ++d) {
       mirror_local_[d].push_back(wall.particle.mirror[d] - grid_.tile_origin(d, mirror_cell_.back()[d]));
+      // A mirror point may lie across a periodic face.
+      double to_wall = wall.particle.position[d] - wall.particle.mirror[d];
+      if (boundary_.periodic(d)) to_wall = std::remainder(to_wall, scene_.box[d]);
+      mirror_to_wall_[d].push_back(to_wall);
+      mirror_normal_[d].push_back(wall.particle.normal[d]);
+    }
   }
 }
 
@@ -263,9 +269,14 @@ void Neighbourhood::fill(Neighbours<Real, Dim>& grid, exec::Side side) const {
 
 template <int Dim>
 sph::MirrorPoints<Dim> Neighbourhood::mirrors() const {
-  sph::MirrorPoints<Dim> points{walls_.count(), {}, {}, mirror_blocks_.begin.data(), mirror_blocks_.block.data()};
+  sph::MirrorPoints<Dim> points{};
+  points.count = walls_.count();
+  points.block_begin = mirror_blocks_.begin.data();
+  points.block = mirror_blocks_.block.data();
   for (int d = 0; d < Dim; ++d) {
     points.local[d] = mirror_local_[d].data();
+    points.to_wall[d] = mirror_to_wall_[d].data();
+    points.normal[d] = mirror_normal_[d].data();
     points.offset[d] = mirror_blocks_.offset[d].data();
   }
   return points;

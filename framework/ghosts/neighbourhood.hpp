@@ -117,6 +117,8 @@ class MESOGEN_EXPORT Neighbourhood {
   WallSet walls_;
   std::vector<CellGrid::Cell> mirror_cell_;          // of the mirror point of each wall particle
   std::array<std::vector<double>, 3> mirror_local_;  // relative to the tile of its cell
+  std::array<std::vector<double>, 3> mirror_to_wall_;
+  std::array<std::vector<double>, 3> mirror_normal_;
   NeighbourBlocks mirror_blocks_;
   exec::AxisArrays<float> local_single_;
   exec::AxisArrays<double> local_double_;

@@ -58,6 +58,17 @@ void NamedBoundary::check(const Scene& scene, const WallParticle& particle, std:
   const auto& n = particle.normal;
   if (!(std::abs(std::hypot(n[0], n[1], n[2]) - 1.0) < 1e-6))
     refuse(fmt::format("the normal of wall particle {}, {}, is no unit vector", number, text(n)));
+  double along = 0.0;  // the way from the particle to its mirror point
+  for (unsigned d = 0; d < static_cast<unsigned>(scene.dimension); ++d) {
+    double way = particle.mirror[d] - particle.position[d];
+    if (plugin_->periodic(static_cast<int>(d))) way = std::remainder(way, scene.box[d]);
+    along += way * n[d];
+  }
+  if (!(along >= 0.0))
+    refuse(
+        fmt::format("the normal of wall particle {}, {}, points into the wall: it must point from the particle to "
+                    "its mirror point",
+                    number, text(n)));
 }
 
 void NamedBoundary::scales(Scales& scales) const {

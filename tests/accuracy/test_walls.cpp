@@ -36,7 +36,8 @@ double error_of(CaseRun& run, const std::vector<double>& values, const Exact& ex
 
 // Started from rest: u = f y (H - y) / (2 mu) - sum over odd n of 4 f H^2 / (mu pi^3 n^3) sin(n pi y / H) e^(-n^2 pi^2
 // nu t / H^2)
-double poiseuille_error(int across, const std::string& arrangement, const std::string& laplacian = "consistent") {
+double poiseuille_error(int across, const std::string& arrangement, const std::string& laplacian = "consistent",
+                        double time = 1.0) {
   constexpr double force = 0.05;
   constexpr double viscosity = 0.1;
   CaseText text = channel(across);
@@ -45,25 +46,32 @@ double poiseuille_error(int across, const std::string& arrangement, const std::s
       .flow(viscosity, "expected_speed = 0.0625")
       .section("physics.drive", "type = \"body_force\"\nforce = [0.05, 0.0]");
   CaseRun run(text);
-  run.run_to(1.0);
+  run.run_to(time);
   return error_of(run, run.field("velocity", 0), [&](double y) {
     double u = force * y * (1.0 - y) / (2.0 * viscosity);
     for (int n = 1; n < 100; n += 2)
       u -= 4.0 * force / (viscosity * std::pow(pi * n, 3)) * std::sin(n * pi * y) *
-           std::exp(-n * n * pi * pi * viscosity);
+           std::exp(-n * n * pi * pi * viscosity * time);
     return u;
   });
 }
 
+// What is left at 1 s comes from the start, when the layer that the walls hold back is thinner than a spacing.
 TEST(Poiseuille, ConvergesInSecondOrder) {
   const double coarse = poiseuille_error(20, "lattice");
   const double middle = poiseuille_error(40, "lattice");
   const double fine = poiseuille_error(80, "lattice");
-  EXPECT_LT(fine, 6e-4);
-  EXPECT_GT(std::log2(coarse / middle), 1.9) << coarse << ", " << middle;
-  EXPECT_GT(std::log2(middle / fine), 1.9) << middle << ", " << fine;
+  EXPECT_LT(coarse, 3e-3);
+  EXPECT_LT(middle, 9e-4);
+  EXPECT_LT(fine, 2.6e-4);
+  EXPECT_GT(std::log2(middle / fine), 1.8) << middle << ", " << fine;
   // On a lattice the plain Laplacian has the smaller error, as long as the lattice lasts.
   EXPECT_LT(poiseuille_error(80, "lattice", "plain"), 5e-4);
+}
+
+// The velocity keeps its curvature behind the walls. Reflected straight, it was 1 % off.
+TEST(Poiseuille, IsAsGoodAsExactOnceItIsSteady) {
+  EXPECT_LT(poiseuille_error(20, "lattice", "consistent", 10.0), 5e-5);
 }
 
 // Disordered particles: the Laplacian's own error on them remains (see the architecture's weak spots).

@@ -47,6 +47,9 @@ class Misbehaving final : public Boundary {
 #ifdef LONG_NORMAL
     wall.normal[1] = 2.0;
 #endif
+#ifdef NORMAL_INWARD
+    wall.normal[1] = -1.0;
+#endif
     (void)scene;
     return {wall};
   }

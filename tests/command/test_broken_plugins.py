@@ -132,6 +132,8 @@ class Misbehaving(CommandTest):
                                  "1e+300, 0) m, lies outside the box: there is no fluid to take values from"),
             "long_normal": (3, 'plugin "long_normal", wall_particles(): the normal of wall particle 0, (0, 2, 0), is no '
                                "unit vector"),
+            "normal_inward": (3, 'plugin "normal_inward", wall_particles(): the normal of wall particle 0, (0, -1, 0), '
+                                 "points into the wall: it must point from the particle to its mirror point"),
             "ghost_rule": (1, 'plugin "ghost_rule", ghost_rule() failed: no such image'),
             # Found while the case is put together, when the distortion of the director at the walls is looked for.
             "wall_rule": (2, 'plugin "wall_rule", wall_rule() failed: no such field'),

@@ -10,7 +10,7 @@ STUDY = """\
 title = "Steps that are too long"
 kind = "stability"
 scene = "scene"
-end = 0.4
+end = 0.6
 remedy = "shorter ones"
 [common]
 "observers.flow.interval" = 0.05
@@ -31,7 +31,7 @@ error = false
 [variant.default]
 [variant.half]
 note = "half as far"
-"time.end" = 0.2
+"time.end" = 0.3
 """
 
 
@@ -68,7 +68,7 @@ class Stability(ChartTest):
                       "1 % of mass x speed (momentum).", text)
         self.assertIn("Remedy: shorter ones", text)
         self.assertIn("Variants: `half`: half as far.", text)
-        self.assertRegex(text, r"# default, 0\.05: fails, \w.*\nmesogen run scene/case\.toml --set time\.end=0\.4 --set "
+        self.assertRegex(text, r"# default, 0\.05: fails, \w.*\nmesogen run scene/case\.toml --set time\.end=0\.6 --set "
                                r"observers\.flow\.interval=0\.05 --set physics\.flow\.viscosity=0\.05 --set time\.factor=[\d.]+ "
                                r"--output output/default_0\.05_outside --threads 1\n")
         self.assertRegex(err, r" default, 0\.05, time\.factor = 1: holds, ")
@@ -104,7 +104,7 @@ class Stability(ChartTest):
     def test_list(self):
         out, _ = self.chart("--list", "--only", "half")
         self.assertEqual(out.count("\n"), 2)
-        self.assertRegex(out, r"^next     half, 0\.05, 1: \S*mesogen run scene/case\.toml --set time\.end=0\.2 ")
+        self.assertRegex(out, r"^next     half, 0\.05, 1: \S*mesogen run scene/case\.toml --set time\.end=0\.3 ")
 
     def test_draw_only_of_nothing(self):
         self.assertEqual(self.chart("--draw-only", code=2)[1], "error: out: nothing has run yet; leave out --draw-only\n")
@@ -121,13 +121,13 @@ class Stability(ChartTest):
                          "error: across.values: must be a list of one or more numbers or texts\n")
         self.assertEqual(self.refusal_of("energy = 0.05", "enrgy = 0.05"), "error: judge.enrgy: no such key; did you mean 'energy'?\n")
         self.assertEqual(self.refusal_of("energy = 0.05", "energy = true"), "error: judge.energy: must be a number above 0\n")
-        self.assertEqual(self.refusal_of('"time.end" = 0.2', '"time.factor" = 0.2'),
+        self.assertEqual(self.refusal_of('"time.end" = 0.3', '"time.factor" = 0.2'),
                          'error: variant.half."time.factor": is swept; leave it out\n')
 
     def test_an_answer_beyond_the_end(self):
-        self.write(ANSWER.replace("at = [0.2]", "at = [0.5]"), "scene/answer.toml")
+        self.write(ANSWER.replace("at = [0.2]", "at = [0.7]"), "scene/answer.toml")
         self.assertEqual(self.refusal_of("error = false", "error = 0.2"),
-                         "error: end: the scene's answer is for t = 0.5 s; run to there, or say error = false in [judge]\n")
+                         "error: end: the scene's answer is for t = 0.7 s; run to there, or say error = false in [judge]\n")
         os.remove(self.path("scene", "answer.toml"))
         self.assertEqual(self.refusal_of("error = false", "error = 0.2"),
                          "error: judge.error: there is no answer.toml beside the case to compare with; leave it out\n")

@@ -40,7 +40,7 @@ class TemplateNamePlugin final : public Boundary {
   [[nodiscard]] AffineRule wall_rule(const Scene& scene, const FieldKind& field,
                                      const WallParticle& at) const override {
     const double at_rest[3] = {0.0, 0.0, 0.0};
-    if (field.role == FieldRole::velocity) return AffineRule::held_at(field, at_rest);
+    if (field.role == FieldRole::velocity) return AffineRule::curved_at(field, at_rest);
     return Boundary::wall_rule(scene, field, at);
   }
 };

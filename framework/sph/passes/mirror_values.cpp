@@ -90,7 +90,7 @@ Linear<Dim> fitted(const double* moment) {
   return weight;
 }
 
-template <class Real, int Dim, class Kernel>
+template <MirrorFit fit, class Real, int Dim, class Kernel>
 struct WeightLoop {
   static constexpr int width = NeighbourBlock::width<Real>;
   static constexpr int moments = 1 + Dim + symmetric_components<Dim>;
@@ -104,6 +104,7 @@ struct WeightLoop {
   double* weight;
 
   void operator()(Index n) const {
+    const Wall wall = wall_of(n);
     Lane sums[moments] = {};
     Ways way;
     visit(
@@ -111,21 +112,31 @@ struct WeightLoop {
           Lane square;
           exec::load(beyond + width - block.lanes + lane, square);
           for (int d = 0; d < Dim; ++d) square = square + way[d][lane] * way[d][lane];
-          const Lane value = kernel.value(exec::square_root(square) * length);
-          exec::store(value, to);
+          Lane value = kernel.value(exec::square_root(square) * length);
+          Lane from[Dim];  // the way from where the fit is evaluated
+          for (int d = 0; d < Dim; ++d) from[d] = way[d][lane];
+          if constexpr (fit == MirrorFit::curved) {
+            const Lane distance = wall.distance(from);
+            exec::store(value * distance, to);
+            value = value * distance * distance;
+            for (int d = 0; d < Dim; ++d) from[d] = from[d] - wall.at[d];
+          } else {
+            exec::store(value, to);
+          }
           sums[0] = sums[0] + value;
           for (int a = 0; a < Dim; ++a) {
-            const Lane first = value * way[a][lane];
+            const Lane first = value * from[a];
             sums[1 + a] = sums[1 + a] + first;
             for (int b = a; b < Dim; ++b) {
               Lane& sum = sums[1 + Dim + symmetric_index<Dim>(a, b)];
-              sum = sum + first * way[b][lane];
+              sum = sum + first * from[b];
             }
           }
         });
     double moment[moments];
     exec::sum_lanes(sums, moment);
-    const Linear<Dim> factor = fitted<Dim>(moment);
+    Linear<Dim> factor = fitted<Dim>(moment);
+    if constexpr (fit == MirrorFit::curved) factor = wall.seen(factor);
     visit(
         n, way, [&](const NeighbourBlock&, int lane, double* to) __attribute__((always_inline)) {
           Lane value;
@@ -137,6 +148,39 @@ struct WeightLoop {
   }
 
  private:
+  /// The wall particle of a mirror point, in smoothing lengths from there; its surface is taken as flat.
+  struct Wall {
+    double at[Dim];
+    double normal[Dim];
+    double depth;
+
+    /// How far a particle is from the surface; zero behind it.
+    [[gnu::always_inline]] Lane distance(const Lane* way) const {
+      Lane sum(depth);
+      for (int d = 0; d < Dim; ++d) sum = sum + way[d] * normal[d];
+      return exec::positive_part(sum);
+    }
+    /// depth * l, as a function of the way from the mirror point.
+    [[nodiscard]] Linear<Dim> seen(const Linear<Dim>& l) const {
+      Linear<Dim> result{depth * l.constant, {}};
+      for (int d = 0; d < Dim; ++d) {
+        result.slope[d] = depth * l.slope[d];
+        result.constant -= result.slope[d] * at[d];
+      }
+      return result;
+    }
+  };
+
+  [[nodiscard]] Wall wall_of(Index n) const {
+    Wall wall{};
+    for (int d = 0; d < Dim; ++d) {
+      wall.at[d] = points.to_wall[d][n] / length;
+      wall.normal[d] = points.normal[d][n];
+      wall.depth -= 0.5 * wall.at[d] * wall.normal[d];
+    }
+    return wall;
+  }
+
   /// action(block, lane, weights from there on) for each pack of each block around a point; `way`: from the point to
   /// the particles of the block, in smoothing lengths.
   template <class Action>
@@ -160,49 +204,72 @@ struct ValueLoop {
   static constexpr int width = NeighbourBlock::width<Real>;
 
   MirrorPoints<Dim> points;
-  const double* weight;
+  MirrorWeights weights;
+  CurvedValues curved;
   RuleView rules;
   FieldView<Real> field;
   int components;
   Index first;
 
   void operator()(Index n) const {
-    double value[AffineRule::most];  // only a field with rules has no more components
-    for (int c = 0; c < components; ++c) {
-      Lane sum(0.0);
-      for (std::int64_t at = points.block_begin[n]; at < points.block_begin[n + 1]; ++at) {
-        const NeighbourBlock& block = points.block[at];
-        const Real* const from = field.component(c) + block.first;
-        Doubles<Real> seen;
-        // What lies beyond the block may be a wall's value that another thread writes.
-        for (int lane = 0; lane < width; ++lane)
-          seen.value[lane] = lane < block.lanes ? static_cast<double>(from[lane]) : 0.0;
-        for (int lane = 0; lane < block.lanes; lane += int(Lane::size())) {
-          Lane own;
-          exec::load(weight + at * width + lane, own);
-          sum = sum + own * seen[lane];
-        }
-      }
-      const double seen_from_wall = exec::stdx::reduce(sum);
-      if (rules) {
-        value[c] = seen_from_wall;
-      } else {
-        field(c, first + n) = static_cast<Real>(seen_from_wall);
-      }
+    if (!rules) {
+      for (int c = 0; c < components; ++c) field(c, first + n) = static_cast<Real>(seen(n, c, weights.linear).value);
+      return;
     }
-    if (!rules) return;
+    double value[AffineRule::most];  // only a field with rules has no more components
+    const bool is_curved = curved.curved != nullptr && curved.curved[n] != 0;
+    for (int c = 0; c < components; ++c) {
+      const Seen from_wall = seen(n, c, is_curved ? weights.curved : weights.linear);
+      value[c] = from_wall.value;
+      if (is_curved) value[c] += (1.0 - from_wall.weight) * curved.at_wall[n * components + c];
+    }
+    if (is_curved && curved.along_wall) straighten(n, value);
     rules.apply(n, value);
     for (int c = 0; c < components; ++c) field(c, first + n) = static_cast<Real>(value[c]);
+  }
+
+ private:
+  struct Seen {
+    double value;
+    double weight;  ///< of all particles
+  };
+  [[nodiscard]] Seen seen(Index n, int c, const double* weight) const {
+    Lane sum(0.0);
+    Lane all(0.0);
+    for (std::int64_t at = points.block_begin[n]; at < points.block_begin[n + 1]; ++at) {
+      const NeighbourBlock& block = points.block[at];
+      const Real* const from = field.component(c) + block.first;
+      Doubles<Real> values;
+      // What lies beyond the block may be a wall's value that another thread writes.
+      for (int lane = 0; lane < width; ++lane)
+        values.value[lane] = lane < block.lanes ? static_cast<double>(from[lane]) : 0.0;
+      for (int lane = 0; lane < block.lanes; lane += int(Lane::size())) {
+        Lane own;
+        exec::load(weight + at * width + lane, own);
+        sum = sum + own * values[lane];
+        all = all + own;
+      }
+    }
+    return {exec::stdx::reduce(sum), exec::stdx::reduce(all)};
+  }
+
+  /// Gives a vector the normal part that it has at the mirror point.
+  void straighten(Index n, double* value) const {
+    double more = 0.0;
+    for (int d = 0; d < Dim; ++d) more += (seen(n, d, weights.linear).value - value[d]) * points.normal[d][n];
+    for (int d = 0; d < Dim; ++d) value[d] += more * points.normal[d][n];
   }
 };
 
 }  // namespace
 
-template <class Real, int Dim>
-void find_mirror_weights(const Neighbours<Real, Dim>& neighbours, const MirrorPoints<Dim>& points,
-                         const SmoothingKernel& kernel, double* weight) {
+namespace {
+
+template <MirrorFit fit, class Real, int Dim>
+void find_weights(const Neighbours<Real, Dim>& neighbours, const MirrorPoints<Dim>& points,
+                  const SmoothingKernel& kernel, double* weight) {
   with_kernel_function<double>(kernel, [&](const auto& function) {
-    using Loop = WeightLoop<Real, Dim, std::decay_t<decltype(function)>>;
+    using Loop = WeightLoop<fit, Real, Dim, std::decay_t<decltype(function)>>;
     Loop loop{neighbours, points, function, kernel.smoothing_length, {}, weight};
     const double support = kernel.radius() / kernel.smoothing_length;
     for (int lane = 0; lane < Loop::width; ++lane) loop.beyond[Loop::width + lane] = 4.0 * support * support;
@@ -210,16 +277,26 @@ void find_mirror_weights(const Neighbours<Real, Dim>& neighbours, const MirrorPo
   });
 }
 
+}  // namespace
+
 template <class Real, int Dim>
-void refresh_walls(const MirrorPoints<Dim>& points, const double* weight, const RuleView& rules, FieldView<Real> field,
-                   int components, Index first) {
-  exec::for_each({}, points.count, ValueLoop<Real, Dim>{points, weight, rules, field, components, first});
+void find_mirror_weights(MirrorFit fit, const Neighbours<Real, Dim>& neighbours, const MirrorPoints<Dim>& points,
+                         const SmoothingKernel& kernel, double* weight) {
+  if (fit == MirrorFit::linear) return find_weights<MirrorFit::linear>(neighbours, points, kernel, weight);
+  find_weights<MirrorFit::curved>(neighbours, points, kernel, weight);
+}
+
+template <class Real, int Dim>
+void refresh_walls(const MirrorPoints<Dim>& points, const MirrorWeights& weights, const CurvedValues& curved,
+                   const RuleView& rules, FieldView<Real> field, int components, Index first) {
+  exec::for_each({}, points.count, ValueLoop<Real, Dim>{points, weights, curved, rules, field, components, first});
 }
 
 #define MESOGEN_INSTANTIATE(REAL, DIM)                                                                              \
-  template void find_mirror_weights(const Neighbours<REAL, DIM>&, const MirrorPoints<DIM>&, const SmoothingKernel&, \
-                                    double*);                                                                       \
-  template void refresh_walls(const MirrorPoints<DIM>&, const double*, const RuleView&, FieldView<REAL>, int, Index);
+  template void find_mirror_weights(MirrorFit, const Neighbours<REAL, DIM>&, const MirrorPoints<DIM>&,              \
+                                    const SmoothingKernel&, double*);                                               \
+  template void refresh_walls(const MirrorPoints<DIM>&, const MirrorWeights&, const CurvedValues&, const RuleView&, \
+                              FieldView<REAL>, int, Index);
 MESOGEN_INSTANTIATE(float, 2)
 MESOGEN_INSTANTIATE(double, 2)
 MESOGEN_INSTANTIATE(float, 3)

@@ -72,6 +72,8 @@ TEST(Walls, HoldVelocityAndOrderTensorHalfWayAndNothingElse) {
     const bool high = at.position[1] > 0.0;
     const AffineRule velocity = channel.rule(Rank::vector, FieldRole::velocity, at);
     const AffineRule tensor = channel.rule(Rank::order_tensor, FieldRole::state, at);
+    EXPECT_TRUE(velocity.curved());
+    EXPECT_FALSE(tensor.curved());
     EXPECT_EQ(velocity.matrix(0, 0), -1.0);
     EXPECT_EQ(velocity.matrix(0, 1), 0.0);
     EXPECT_EQ(velocity.summand(0), high ? 1.0 : -0.5);
@@ -179,6 +181,33 @@ boundary = { type = "walls", velocity_low = 0.0, velocity_high = 1.0 })");
   ++velocity.version;
   const auto slope = run.field("velocity_gradient", 1);
   for (std::size_t i = 0; i < slope.size(); ++i) EXPECT_NEAR(slope[i], 1.0, 1e-11) << "at y = " << y[i];
+}
+
+// u = (y (1 - y), y (1 - y)): the part along the walls goes on behind them, the normal part is reflected straight.
+TEST(Walls, KeepTheCurvatureOfTheVelocityAlongThem) {
+  CaseText text(1.0, 16);
+  text.section("domain", "size = [1.0, 1.0]\nboundary = \"walls\"");
+  text.section("particles", "spacing = 0.0625\narrangement = \"jittered\"")
+      .kernel("quintic", "consistent")
+      .flow(0.1)
+      .read("\"velocity_laplacian\"");
+  CaseRun run(text);
+  const auto y = run.path(1);
+  Field& velocity = run.state().fields.at("velocity");
+  for (Index i = 0; i < run.state().particles.count(); ++i) {
+    const double at = run.state().particles.position[1].host()[static_cast<std::size_t>(i)];
+    for (const int c : {0, 1}) velocity.set(c, i, at * (1.0 - at));
+  }
+  ++velocity.version;
+  const auto along = run.field("velocity_laplacian", 0);
+  const auto across = run.field("velocity_laplacian", 1);
+  for (std::size_t i = 0; i < y.size(); ++i) {
+    EXPECT_NEAR(along[i], -2.0, 1e-9) << "at y = " << y[i];
+    const double from_wall = std::min(y[i], 1.0 - y[i]);
+    if (from_wall < 0.05) {
+      EXPECT_GT(across[i], -1.5) << "at y = " << y[i];
+    }
+  }
 }
 
 TEST(Walls, FillTheSupportOfALattice) {

@@ -1,7 +1,9 @@
 // Solid walls across one axis or more, the box periodic along the others: no slip, the director anchored or free.
 // Fixed particles fill what the kernel reaches behind a wall. What they carry is taken from the mirror point in
 // the fluid (S. Marrone et al., Comput. Methods Appl. Mech. Engrg. 200, 1526 (2011)), so that it has the wall's value
-// half way, at the face of the box; pressure and whatever else has no value there has no slope.
+// half way, at the face of the box; pressure and whatever else has no value there has no slope. The velocity along a
+// wall keeps its curvature behind it: where the stress has a slope it would slip. The order tensor does not, so that
+// the molecular field stays the variation of the free energy.
 
 #include <algorithm>
 #include <cmath>
@@ -93,7 +95,7 @@ class Walls final : public Boundary {
   }
 
   [[nodiscard]] AffineRule wall_rule(const Scene&, const FieldKind& field, const WallParticle& at) const override {
-    if (field.role == FieldRole::velocity) return AffineRule::held_at(field, wall_velocity(at.normal));
+    if (field.role == FieldRole::velocity) return AffineRule::curved_at(field, wall_velocity(at.normal));
     if (field.rank == Rank::order_tensor && field.role == FieldRole::state && anchoring_ != "none")
       return AffineRule::held_at(field, wall_order(at.normal));
     return AffineRule(field);

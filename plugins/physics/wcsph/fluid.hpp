@@ -25,6 +25,7 @@ class Fluid {
   /// rho0 of the momentum equation, kg/m3; with inertia = false the artificial one.
   [[nodiscard]] double density() const { return density_; }
   [[nodiscard]] double viscosity() const { return viscosity_; }
+  [[nodiscard]] bool inertia() const { return inertia_; }
   /// rho0 c0^2, Pa.
   [[nodiscard]] double stiffness() const { return density_ * sound_.speed() * sound_.speed(); }
   /// Of a particle, kg/m in 2D.

@@ -53,7 +53,8 @@ struct DensityDiffusion {
 /// Particle shifting (artificial particle displacement; Shadloo et al. 2011, Ozbulut et al. 2017), as a velocity:
 ///   sum_j r_ij / r_ij^3 r0^2 s,   r0 = mean distance of neighbours,
 /// where the speed s is h |grad u|, or as published (`BySpread`) |sum_j (u_i - u_j) W_ij| / sum_j W_ij: particles are
-/// drawn out most along the lines toward stagnation points, and there the published one vanishes.
+/// drawn out most along the lines toward stagnation points, and there the published one vanishes. A limit keeps one
+/// particle on top of another from being thrown out of the box.
 template <class Real, int Dim, bool BySpread>
 struct Shift {
   static constexpr int sum_count = 2 + Dim + (BySpread ? 1 + Dim : 0);
@@ -64,6 +65,7 @@ struct Shift {
   FieldView<Real> shift;
   Real strength;
   Real smoothing_length;  // distances are taken in it: 1 / r^3 of the particle itself must not overflow
+  Real fastest;           // largest shift, m/s
 
   struct Own {
     Real velocity[Dim];
@@ -106,7 +108,11 @@ struct Shift {
     const Real others = sum[neighbours] - Real(1);
     const Real mean_distance = others > Real(0) ? sum[distances] / others : Real(0);
     const Real relative = mean_distance / smoothing_length;
-    const Real scale = strength * relative * relative * speed / smoothing_length;
+    Real scale = strength * relative * relative * speed / smoothing_length;
+    Real pushed = Real(0);
+    for (int d = 0; d < Dim; ++d) pushed += sum[push + d] * sum[push + d];
+    pushed = exec::square_root(pushed);
+    if (scale * pushed > fastest) scale = fastest / pushed;
     for (int d = 0; d < Dim; ++d) shift(d, i) += scale * sum[push + d];
   }
 };

@@ -30,6 +30,9 @@ DensityDiffusion<Real> diffusion_sums(const PassContext& context, double diffusi
           context.write<Real>("compression_rate"), Real(diffusivity)};
 }
 
+/// In one step.
+inline constexpr double largest_shift_in_spacings = 0.2;
+
 template <bool BySpread>
 Pass& declare_shift(Pass& pass) {
   pass.accumulates({"shift_velocity"});
@@ -49,6 +52,7 @@ Shift<Real, Dim, BySpread> shift_sums(const PassContext& context, double strengt
   sums.shift = context.write<Real>("shift_velocity");
   sums.strength = Real(strength);
   sums.smoothing_length = Real(context.scene().smoothing_length);
+  sums.fastest = Real(largest_shift_in_spacings * context.scene().spacing / context.step_size());
   return sums;
 }
 

@@ -121,6 +121,27 @@ TEST(Wcsph, UniformPressureMovesNothingByItsDifferences) {
   EXPECT_GT(speed_by_uniform_pressure("corrected"), 1e-3);
 }
 
+// A pair that nearly coincides would be thrown apart as 1 / distance^2, out of the box.
+TEST(Wcsph, ShiftMovesNoParticleByMoreThanAFifthOfASpacing) {
+  CaseText text(1.0, 16);
+  text.flow(0.1)
+      .modes("velocity", "[[1, 0, 0.1, 0.3], [1, 2, 0.1, 1.0]]")
+      .section("time", "end = 1.0\nstep = 1e-3")
+      .read("\"shift_velocity\"");
+  CaseRun run(text);
+  const double distance[] = {1e-5, 2e-5};
+  for (const int axis : {0, 1}) {
+    const auto values = run.state().particles.position[axis].host(exec::Access::read_write);
+    values[40] = values[41] + distance[axis] / 16.0;
+  }
+  run.run_steps(1);  // ends with the rates of where particles then are
+  const auto x = run.field("shift_velocity", 0);
+  const auto y = run.field("shift_velocity", 1);
+  double largest = 0.0;
+  for (std::size_t i = 0; i < x.size(); ++i) largest = std::max(largest, 1e-3 * std::hypot(x[i], y[i]));
+  EXPECT_NEAR(largest, 0.2 / 16.0, 1e-9);
+}
+
 // p = rho0 c0^2 / 7 ((1 + c)^7 - 1), to the last digit even where (1 + c)^7 - 1 cancels
 TEST(Wcsph, PressureIsTaitsAndLosesNoDigits) {
   const PhysicsUnderTest flow("wcsph", {{"density", 2.0}, {"viscosity", 0.1}, {"sound_speed", 3.0}});

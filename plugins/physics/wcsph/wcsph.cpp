@@ -2,6 +2,7 @@
 // Tait. Viscosity component by component; density diffusion (delta-SPH); a shift that scales with the velocity
 // gradient. The scheme of Saghatchi, Kolukisa and Yildiz, which this one comes from, is wcsph_published.
 
+#include <optional>
 #include <string>
 
 #include "equations.hpp"
@@ -26,13 +27,15 @@ class Wcsph final : public Physics {
             "corrected: sum of both particles' pressures with the corrected gradient, which evens particles out; "
             "difference: exact for linear pressures, so that a uniform pressure moves nothing, but short kernels fail "
             "earlier; conservative: opposite forces on two particles, so momentum does not drift");
-    list.number("density_diffusion", diffusion_)
+    list.number_or("density_diffusion", diffusion_, "auto")
         .unit("1")
         .at_least(0)
         .at_most(0.5)
         .doc(
-            "strength delta of the density diffusion delta h c0 lap rho (delta-SPH). 0: none; a density that "
-            "alternates from particle to particle then drives a flow where there should be none");
+            "strength delta of the density diffusion delta h c0 lap rho (delta-SPH); auto: 0.1, and 0.02 with inertia "
+            "= "
+            "false, whose sound is fast: the flow diverges by delta where pressure bears a force. 0: none; a density "
+            "that alternates from particle to particle then drives a flow where there should be none");
     list.number("shift", shift_)
         .unit("1")
         .at_least(0)
@@ -53,13 +56,15 @@ class Wcsph final : public Physics {
     const bool fixed = motion_ == "eulerian";
     const PressureForm form = wcsph::pressure_form(pressure_form_);
     const bool shifts = shift_ > 0.0 && !fixed;
-    fluid_.declare(scene, list, 1.0, form == PressureForm::corrected && diffusion_ == 0.1 && shift_ == 0.3 && !fixed);
+    const double usual = fluid_.inertia() ? 0.1 : 0.02;
+    delta_ = diffusion_.value_or(usual);
+    fluid_.declare(scene, list, 1.0, form == PressureForm::corrected && delta_ == usual && shift_ == 0.3 && !fixed);
     wcsph::declare_fields(list, fluid_, false);
     list.flows({"velocity", "shift_velocity", fixed});
     wcsph::declare_continuity<Real, Dim>(list, fluid_);
     // What most scenes have shares one loop over the pairs.
-    const bool together = shifts && form == PressureForm::corrected && diffusion_ > 0.0;
-    if (diffusion_ > 0.0 && !together) wcsph::add_density_diffusion<Real, Dim>(list, fluid_, diffusion_);
+    const bool together = shifts && form == PressureForm::corrected && delta_ > 0.0;
+    if (delta_ > 0.0 && !together) wcsph::add_density_diffusion<Real, Dim>(list, fluid_, delta_);
     if (shifts && !together) wcsph::add_shift<Real, Dim, false>(list, shift_);
     wcsph::declare_equation_of_state<Real>(list, fluid_, "compression_midpoint", form != PressureForm::difference);
     together ? all_together(list) : wcsph::add_momentum<Real, Dim, false>(list, fluid_, form);
@@ -80,13 +85,14 @@ class Wcsph final : public Physics {
                     sph::FusedPass<sph::FusedPass<Shift, Momentum>, Diffusion>{
                         {wcsph::shift_sums<Real, Dim, false>(context, shift_),
                          wcsph::momentum_sums<Real, Dim, false, PressureForm::corrected>(context, fluid_)},
-                        wcsph::diffusion_sums<Real>(context, fluid_.density_diffusivity(diffusion_))});
+                        wcsph::diffusion_sums<Real>(context, fluid_.density_diffusivity(delta_))});
     });
   }
 
   wcsph::Fluid fluid_;
   std::string pressure_form_ = "corrected";
-  double diffusion_ = 0.1;
+  std::optional<double> diffusion_;
+  double delta_ = 0.0;  // of the density diffusion
   double shift_ = 0.3;
   std::string motion_ = "lagrangian";
 };

@@ -25,7 +25,7 @@ class Picked final : public Boundary {
   [[nodiscard]] Continuation continuation(int axis) const override { return continuation_[axis == 0 ? 0 : 1]; }
   [[nodiscard]] std::vector<WallParticle> wall_particles(const Scene&, double) const override { return walls_; }
   [[nodiscard]] AffineRule wall_rule(const Scene&, const FieldKind& field, const WallParticle&) const override {
-    return AffineRule::held_at(field, std::array{0.25});
+    return AffineRule::curved_at(field, std::array{0.25});
   }
 
  private:
@@ -60,9 +60,11 @@ Sites with_wall(int first) {
   return sites;
 }
 
-ParticleScene scene_with(const Sites& sites, Continuation along_x, Continuation along_y, Precision precision) {
+ParticleScene scene_with(const Sites& sites, Continuation along_x, Continuation along_y, Precision precision,
+                         bool consistent_laplacian = false) {
   ParticleScene::Options options;
   options.spacing = spacing;
+  options.consistent_laplacian = consistent_laplacian;
   options.precision = precision;
   return {options, sites.fluid, std::make_unique<Picked>(along_x, along_y, sites.walls)};
 }
@@ -105,6 +107,29 @@ TEST_P(WallsInside, ContinueALinearField) {
   }
 }
 
+// One that is quadratic beside them continues quadratically, and so do its second derivatives.
+TEST_P(WallsInside, ContinueAQuadraticField) {
+  const auto [along_x, along_y, first, precision] = GetParam();
+  ParticleScene scene = scene_with(with_wall(first), along_x, along_y, precision, true);
+  scene.state().fields.at("f").kind = FieldKind{Rank::scalar, FieldRole::state, 2};
+  const double left = first * spacing;
+  const double right = std::fmod(left + 10 * spacing, 1.0);
+  const auto way = [](double from, double to) { return to - from - std::round(to - from); };
+  const auto distance = [&](double x) { return std::min(std::abs(way(right, x)), std::abs(way(left, x))); };
+  scene.set([&](double x, double) { return 0.25 + distance(x) + 3.0 * distance(x) * distance(x); });
+  const auto laplacian = scene.derived("f_laplacian");
+  const State& state = scene.state();
+  const double tolerance = precision == Precision::double_precision ? 1e-9 : 2e-2;
+  int seen = 0;
+  for (std::size_t i = 0; i < state.particles.id.size(); ++i) {
+    const double x = state.particles.position[0].host()[i];
+    if (distance(x) > 2 * spacing) continue;  // the two parabolas meet half way between the surfaces
+    EXPECT_NEAR(laplacian[static_cast<std::size_t>(state.particles.id.host()[i])], 6.0, tolerance) << "at x = " << x;
+    ++seen;
+  }
+  EXPECT_EQ(seen, 4 * across);
+}
+
 INSTANTIATE_TEST_SUITE_P(Boxes, WallsInside,
                          testing::Combine(testing::Values(Continuation::wrapped, Continuation::ghosts),
                                           testing::Values(Continuation::wrapped, Continuation::ghosts),
@@ -112,7 +137,7 @@ INSTANTIATE_TEST_SUITE_P(Boxes, WallsInside,
                                           testing::Values(Precision::single_precision, Precision::double_precision)));
 
 /// Walls across y and disordered fluid between them.
-std::vector<double> slopes_in_channel(Continuation along_x, int component) {
+Sites disordered_channel() {
   Sites sites;
   sites.fluid = jittered(across, across, spacing, 0.3);
   for (int layer = 0; layer < 5; ++layer)
@@ -121,7 +146,11 @@ std::vector<double> slopes_in_channel(Continuation along_x, int component) {
       sites.walls.push_back({{site(column), -depth, 0.0}, {site(column), depth, 0.0}, {0.0, 1.0, 0.0}});
       sites.walls.push_back({{site(column), 1.0 + depth, 0.0}, {site(column), 1.0 - depth, 0.0}, {0.0, -1.0, 0.0}});
     }
-  ParticleScene scene = scene_with(sites, along_x, Continuation::none, Precision::double_precision);
+  return sites;
+}
+
+std::vector<double> slopes_in_channel(Continuation along_x, int component) {
+  ParticleScene scene = scene_with(disordered_channel(), along_x, Continuation::none, Precision::double_precision);
   scene.state().fields.at("f").kind = FieldKind{Rank::scalar, FieldRole::state, 2};
   scene.set([](double x, double y) { return std::sin(2.0 * std::numbers::pi * x) * std::cos(3.0 * y); });
   return scene.derived("f_gradient", component);
@@ -133,6 +162,14 @@ TEST(WallsBesideGhosts, AreTheSameAsBesideAWrappedAxis) {
     const auto ghosts = slopes_in_channel(Continuation::ghosts, c);
     for (std::size_t i = 0; i < wrapped.size(); ++i) EXPECT_NEAR(ghosts[i], wrapped[i], 1e-11) << "particle " << i;
   }
+}
+
+TEST(WallsBesideGhosts, ContinueAQuadraticFieldOfDisorderedFluid) {
+  ParticleScene scene =
+      scene_with(disordered_channel(), Continuation::ghosts, Continuation::none, Precision::double_precision, true);
+  scene.state().fields.at("f").kind = FieldKind{Rank::scalar, FieldRole::state, 2};
+  scene.set([](double, double y) { return 0.25 + 2.0 * y * (1.0 - y); });
+  for (const double laplacian : scene.derived("f_laplacian")) EXPECT_NEAR(laplacian, -4.0, 1e-8);
 }
 
 }  // namespace
