@@ -57,8 +57,8 @@ class Counted {
     return cells + blocks() + listing + ghosts_ * (ghost + beyond) + walls_ * (wall() + beyond);
   }
 
-  /// The wall particle itself, its place and its mirror point's; blocks and both kinds of weights of the particles
-  /// around that, which are about three quarters of what a particle has around it.
+  /// The wall particle itself, its place, its mirror point, the way between them and the normal; blocks and both kinds
+  /// of weights of the particles around the mirror point, about three quarters of what a particle has around it.
   [[nodiscard]] double wall() const {
     const double around = 0.75 * blocks_ / particles_;
     return sizeof(WallSet::Member) + axes_ * 4.0 * exact + 12.0 +

@@ -49,7 +49,7 @@ BoundaryValues::Rules BoundaryValues::ask(const FieldKind& field) const {
     const AffineRule own = boundary_.wall_rule(scene_, field, wall.particle);
     walls.push_back(wall.image == WallSet::no_image ? own : ghosts[static_cast<std::size_t>(wall.image)].after(own));
     curved.push_back(own.curved() ? 1 : 0);
-    for (int c = 0; c < own.components(); ++c) at_wall.push_back(own.summand(c) / 2.0);
+    for (int c = 0; c < own.components(); ++c) at_wall.push_back(own.at_wall(c));
   }
   if (std::ranges::find(curved, 1) == curved.end()) {
     curved.clear();

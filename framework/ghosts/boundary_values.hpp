@@ -39,7 +39,7 @@ class MESOGEN_EXPORT BoundaryValues {
     RuleTable walls;
     std::vector<std::uint8_t> curved;  ///< by wall particle; empty where the field is curved at none
     std::vector<double> at_wall;       ///< by wall particle, then component; likewise
-    bool vector = false;               ///< the field is one
+    bool vector = false;               ///< the field is a vector
   };
   const Rules& rules_of(const Field& field);
   [[nodiscard]] Rules ask(const FieldKind& field) const;

@@ -7,6 +7,7 @@
 #include "neighbours/cell_loops.hpp"
 #include "neighbours/outside.hpp"
 #include "particles/storage_loops.hpp"
+#include "plugin/way_to_mirror.hpp"
 
 namespace mesogen {
 
@@ -45,12 +46,10 @@ Neighbourhood::Neighbourhood(const Scene& scene, const Boundary& boundary, const
 void Neighbourhood::place_mirrors() {
   for (const WallSet::Member& wall : walls_.members()) {
     mirror_cell_.push_back(grid_.nearest_inside(wall.particle.mirror));
+    const std::array<double, 3> way = way_to_mirror(scene_, boundary_, wall.particle);
     for (int d = 0; d < scene_.dimension; ++d) {
       mirror_local_[d].push_back(wall.particle.mirror[d] - grid_.tile_origin(d, mirror_cell_.back()[d]));
-      // A mirror point may lie across a periodic face.
-      double to_wall = wall.particle.position[d] - wall.particle.mirror[d];
-      if (boundary_.periodic(d)) to_wall = std::remainder(to_wall, scene_.box[d]);
-      mirror_to_wall_[d].push_back(to_wall);
+      mirror_to_wall_[d].push_back(-way[static_cast<std::size_t>(d)]);
       mirror_normal_[d].push_back(wall.particle.normal[d]);
     }
   }

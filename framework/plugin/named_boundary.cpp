@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "plugin/plugin_call.hpp"
+#include "plugin/way_to_mirror.hpp"
 
 namespace mesogen {
 
@@ -58,17 +59,13 @@ void NamedBoundary::check(const Scene& scene, const WallParticle& particle, std:
   const auto& n = particle.normal;
   if (!(std::abs(std::hypot(n[0], n[1], n[2]) - 1.0) < 1e-6))
     refuse(fmt::format("the normal of wall particle {}, {}, is no unit vector", number, text(n)));
-  double along = 0.0;  // the way from the particle to its mirror point
-  for (unsigned d = 0; d < static_cast<unsigned>(scene.dimension); ++d) {
-    double way = particle.mirror[d] - particle.position[d];
-    if (plugin_->periodic(static_cast<int>(d))) way = std::remainder(way, scene.box[d]);
-    along += way * n[d];
-  }
-  if (!(along >= 0.0))
-    refuse(
-        fmt::format("the normal of wall particle {}, {}, points into the wall: it must point from the particle to "
-                    "its mirror point",
-                    number, text(n)));
+  const std::array<double, 3> way = way_to_mirror(scene, *plugin_, particle);
+  const double length = std::hypot(way[0], way[1], way[2]);
+  const double along = way[0] * n[0] + way[1] * n[1] + way[2] * n[2];
+  // In a corner the two may differ. A particle on the surface is its own mirror point.
+  if (!(along > 0.5 * length) && length > 1e-9 * scene.spacing)
+    refuse(fmt::format("the normal of wall particle {}, {}, does not point from the particle to its mirror point",
+                       number, text(n)));
 }
 
 void NamedBoundary::scales(Scales& scales) const {

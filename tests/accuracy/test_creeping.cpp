@@ -108,8 +108,6 @@ TEST(CreepingChannel, LagsByTheRatioOfRelaxationToGrowth) {
   EXPECT_LT(slower, 0.05);
 }
 
-// After two growth times the benchmark without inertia is some 10 % behind by the artificial density, in proportion to
-// 1 / ratio, and 3 to 5 % by 36 particles across. With inertia v_rms is less than half of this.
 /// Root of the mean square difference from Stokes flow across a channel with planar walls, at which the stress has a
 /// slope.
 double error_beside_planar_walls(int across) {
@@ -124,8 +122,7 @@ double error_beside_planar_walls(int across) {
   return with_stokes(run).distance;
 }
 
-// The velocity keeps its curvature behind the walls. Reflected straight, the whole flow was 1 % off with 50 particles
-// across, and 5 % with 25.
+// The velocity keeps its curvature behind the walls. Reflected straight, the flow was off by two to five times as much.
 TEST(CreepingChannel, DoesNotSlipWhereTheStressHasASlopeAtTheWall) {
   EXPECT_LT(error_beside_planar_walls(48), 0.005);
   EXPECT_LT(error_beside_planar_walls(24), 0.035);
@@ -152,6 +149,8 @@ double speed_against_pressure() {
 // Pressure bears the whole force; what is left of it is density that diffuses: 5 % with delta = 0.1.
 TEST(CreepingFlow, HardlyDivergesWherePressureBearsTheForce) { EXPECT_LT(speed_against_pressure(), 0.011); }
 
+// After two growth times the benchmark without inertia is some 10 % behind by the artificial density, in proportion to
+// 1 / ratio, and 3 to 5 % by 36 particles across. With inertia v_rms is less than half of this.
 TEST(CreepingBenchmark, ApproachesTheSpectralStokesSolution) {
   const auto v_rms = [](int ratio) {
     CaseText text(10.0, 36);

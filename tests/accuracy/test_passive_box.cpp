@@ -69,8 +69,8 @@ std::vector<double> speeds_at(const std::vector<double>& times, const std::strin
 }
 
 // A density that alternates between particles, or a shift that stirs the director, would drive some 5e-4 m/s for good.
-// What is left at 46 s falls on: particles settle more or less slowly by how they came to lie, at 2e-6 to 9e-5 m/s for
-// other phases of the start.
+// The remaining speed keeps falling, faster or more slowly by how particles came to lie: for other phases of the start
+// it is 2e-6 to 1e-4 m/s at 46 s.
 TEST(PassiveBox, ComesToRest) {
   const auto speed = speeds_at({14.0, 46.0}, "");
   EXPECT_GT(speed[0], 1e-2);

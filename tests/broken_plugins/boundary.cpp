@@ -50,6 +50,9 @@ class Misbehaving final : public Boundary {
 #ifdef NORMAL_INWARD
     wall.normal[1] = -1.0;
 #endif
+#ifdef NORMAL_ALONG
+    wall.normal = {1.0, 0.0, 0.0};
+#endif
     (void)scene;
     return {wall};
   }

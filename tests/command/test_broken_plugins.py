@@ -133,7 +133,9 @@ class Misbehaving(CommandTest):
             "long_normal": (3, 'plugin "long_normal", wall_particles(): the normal of wall particle 0, (0, 2, 0), is no '
                                "unit vector"),
             "normal_inward": (3, 'plugin "normal_inward", wall_particles(): the normal of wall particle 0, (0, -1, 0), '
-                                 "points into the wall: it must point from the particle to its mirror point"),
+                                 "does not point from the particle to its mirror point"),
+            "normal_along": (3, 'plugin "normal_along", wall_particles(): the normal of wall particle 0, (1, 0, 0), does '
+                                "not point from the particle to its mirror point"),
             "ghost_rule": (1, 'plugin "ghost_rule", ghost_rule() failed: no such image'),
             # Found while the case is put together, when the distortion of the director at the walls is looked for.
             "wall_rule": (2, 'plugin "wall_rule", wall_rule() failed: no such field'),

@@ -28,11 +28,9 @@ struct Doubles {
   }
 };
 
-/// Solves A x = b for a symmetric matrix (upper triangle); false where it is singular, but for rounding.
+/// Solves A x = b for a symmetric matrix (upper triangle); false where a pivot is below this part of the trace.
 template <int Dim>
-bool solve(const double* upper, const double (&b)[Dim], double (&x)[Dim]) {
-  // Below this part of the trace a pivot is rounding: the points lie on a line.
-  constexpr double degenerate = 1e-8;
+bool solve(const double* upper, const double (&b)[Dim], double degenerate, double (&x)[Dim]) {
   double least = 0.0;
   for (int d = 0; d < Dim; ++d) least += degenerate * upper[symmetric_index<Dim>(d, d)];
   double lower[Dim][Dim];  // A = L D L^T
@@ -66,9 +64,10 @@ struct Linear {
   double slope[Dim] = {};
 };
 
-/// From the moments of the particles around a point: sum of W, of W d, of W dd (upper triangle).
+/// From the moments of the particles around a point: sum of W, of W d, of W dd (upper triangle). `degenerate`:
+/// particles whose spread across a line is below this part of the whole lie on it.
 template <int Dim>
-Linear<Dim> fitted(const double* moment) {
+Linear<Dim> fitted(const double* moment, double degenerate) {
   Linear<Dim> weight;
   const double sum = moment[0];
   if (!(sum > 0.0)) return weight;
@@ -82,7 +81,7 @@ Linear<Dim> fitted(const double* moment) {
       spread[n] = moment[1 + Dim + n] - sum * centre[a] * centre[b];
     }
   double slope[Dim];
-  if (!solve<Dim>(spread, centre, slope)) return weight;
+  if (!solve<Dim>(spread, centre, degenerate, slope)) return weight;
   for (int d = 0; d < Dim; ++d) {
     weight.slope[d] = -slope[d];
     weight.constant += slope[d] * centre[d];
@@ -135,7 +134,8 @@ struct WeightLoop {
         });
     double moment[moments];
     exec::sum_lanes(sums, moment);
-    Linear<Dim> factor = fitted<Dim>(moment);
+    // A curved fit is evaluated far from its particles, so those near a line would be magnified.
+    Linear<Dim> factor = fitted<Dim>(moment, fit == MirrorFit::curved ? 1e-3 : 1e-8);
     if constexpr (fit == MirrorFit::curved) factor = wall.seen(factor);
     visit(
         n, way, [&](const NeighbourBlock&, int lane, double* to) __attribute__((always_inline)) {
@@ -260,10 +260,6 @@ struct ValueLoop {
     for (int d = 0; d < Dim; ++d) value[d] += more * points.normal[d][n];
   }
 };
-
-}  // namespace
-
-namespace {
 
 template <MirrorFit fit, class Real, int Dim>
 void find_weights(const Neighbours<Real, Dim>& neighbours, const MirrorPoints<Dim>& points,

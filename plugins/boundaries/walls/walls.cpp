@@ -2,8 +2,8 @@
 // Fixed particles fill what the kernel reaches behind a wall. What they carry is taken from the mirror point in
 // the fluid (S. Marrone et al., Comput. Methods Appl. Mech. Engrg. 200, 1526 (2011)), so that it has the wall's value
 // half way, at the face of the box; pressure and whatever else has no value there has no slope. The velocity along a
-// wall keeps its curvature behind it: where the stress has a slope it would slip. The order tensor does not, so that
-// the molecular field stays the variation of the free energy.
+// wall keeps its curvature behind it: otherwise the fluid slips where the stress varies across the wall. The order
+// tensor does not, so that the molecular field stays the variation of the free energy.
 
 #include <algorithm>
 #include <cmath>

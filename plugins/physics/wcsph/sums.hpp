@@ -2,6 +2,7 @@
 
 // Sums over neighbours: what each reads and writes, and how it is filled for a pass.
 
+#include <limits>
 #include <string>
 
 #include "fluid.hpp"
@@ -30,7 +31,7 @@ DensityDiffusion<Real> diffusion_sums(const PassContext& context, double diffusi
           context.write<Real>("compression_rate"), Real(diffusivity)};
 }
 
-/// In one step.
+/// In one step. The published shift has no limit.
 inline constexpr double largest_shift_in_spacings = 0.2;
 
 template <bool BySpread>
@@ -52,7 +53,9 @@ Shift<Real, Dim, BySpread> shift_sums(const PassContext& context, double strengt
   sums.shift = context.write<Real>("shift_velocity");
   sums.strength = Real(strength);
   sums.smoothing_length = Real(context.scene().smoothing_length);
-  sums.fastest = Real(largest_shift_in_spacings * context.scene().spacing / context.step_size());
+  sums.fastest = std::numeric_limits<Real>::infinity();
+  if constexpr (!BySpread)
+    sums.fastest = Real(largest_shift_in_spacings * context.scene().spacing / context.step_size());
   return sums;
 }
 

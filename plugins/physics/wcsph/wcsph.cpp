@@ -32,15 +32,16 @@ class Wcsph final : public Physics {
         .at_least(0)
         .at_most(0.5)
         .doc(
-            "strength delta of the density diffusion delta h c0 lap rho (delta-SPH); auto: 0.1, and 0.02 with inertia "
-            "= "
-            "false, whose sound is fast: the flow diverges by delta where pressure bears a force. 0: none; a density "
-            "that alternates from particle to particle then drives a flow where there should be none");
+            "strength delta of the density diffusion delta h c0 lap rho (delta-SPH); auto: 0.1; 0.02 with inertia = "
+            "false. Where pressure balances a force, the diffusion makes the flow diverge in proportion to delta. 0: "
+            "none; a density that alternates from particle to particle then drives a flow where there should be none");
     list.number("shift", shift_)
         .unit("1")
         .at_least(0)
         .at_most(10)
-        .doc("strength of the artificial particle displacement that keeps particles evenly spread; 0: none");
+        .doc(
+            "strength of the artificial particle displacement that keeps particles evenly spread; at most a fifth of a "
+            "spacing in a step. 0: none");
     list.text("motion", motion_)
         .choices({"lagrangian", "eulerian"})
         .doc(

@@ -35,7 +35,7 @@ class WcsphPublished final : public Physics {
         .unit("1")
         .at_least(0)
         .at_most(0.5)
-        .doc("as in wcsph; the published scheme has none");
+        .doc("strength delta of the density diffusion delta h c0 lap rho (delta-SPH); 0: none, as published");
     list.number("density_filter", filter_)
         .unit("1")
         .at_least(0)

@@ -7,7 +7,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "boundary_checks.hpp"
 #include "particle_scene.hpp"
+#include "plugin/way_to_mirror.hpp"
 
 namespace {
 
@@ -135,6 +137,19 @@ INSTANTIATE_TEST_SUITE_P(Boxes, WallsInside,
                                           testing::Values(Continuation::wrapped, Continuation::ghosts),
                                           testing::Values(7, 19),
                                           testing::Values(Precision::single_precision, Precision::double_precision)));
+
+// A wall may be thicker than half the box: the normal tells on which side of it the mirror point lies.
+TEST(WayToMirror, IsToTheImageOnTheSideOfTheNormal) {
+  const Picked boundary(Continuation::ghosts, Continuation::none, {});
+  const Scene scene = scene_of(2, {1.0, 1.0, 0.0});
+  const auto along_x = [&](double normal) {
+    return way_to_mirror(scene, boundary, {{0.05, 0.2, 0.0}, {0.65, 0.2, 0.0}, {normal, 0.0, 0.0}})[0];
+  };
+  EXPECT_NEAR(along_x(1.0), 0.6, 1e-15);
+  EXPECT_NEAR(along_x(-1.0), -0.4, 1e-15);
+  const auto across = way_to_mirror(scene, boundary, {{0.5, -0.1, 0.0}, {0.5, 0.9, 0.0}, {0.0, -1.0, 0.0}});
+  EXPECT_NEAR(across[1], 1.0, 1e-15) << "the box ends there";
+}
 
 /// Walls across y and disordered fluid between them.
 Sites disordered_channel() {

@@ -17,9 +17,8 @@ class AffineRule {
   /// Same value: f' = f. At a wall this means that the field has no slope along the normal.
   explicit AffineRule(const FieldKind& field) : AffineRule(field.components()) {}
   /// Holds the field at `value` at the wall: f' = 2 value - f. The wall is half way between a mirror point and its wall
-  /// particle. `value` needs at least as many numbers as the field has components. A linear field goes on exactly. What
-  /// is curved bends the other way behind the wall: sums over pairs stay symmetric, which an energy needs that may not
-  /// rise, but each second derivative at the wall is zero.
+  /// particle. `value` needs at least as many numbers as the field has components. A linear field goes on exactly. Sums
+  /// over pairs stay symmetric, so an energy built on them cannot rise. Second derivatives at the wall are zero.
   static AffineRule held_at(const FieldKind& field, std::span<const double> value) {
     AffineRule rule(field);
     for (int c = 0; c < rule.components_; ++c) {
@@ -29,11 +28,13 @@ class AffineRule {
     return rule;
   }
   /// The same with the curvature that the field has in the fluid, of a vector in its part along the wall: a quadratic
-  /// one goes on exactly too. For what drags on the wall. The framework finds f so that f' continues a fit that has
-  /// this value at the wall.
+  /// field goes on exactly too. Use it for the velocity of a wall without slip. The framework finds f so that f' goes
+  /// on as a fit through this value at the wall.
   static AffineRule curved_at(const FieldKind& field, std::span<const double> value) {
     AffineRule rule = held_at(field, value);
     rule.curved_ = true;
+    for (int c = 0; c < rule.components_; ++c)
+      rule.at_wall_[static_cast<std::size_t>(c)] = value[static_cast<std::size_t>(c)];
     return rule;
   }
   /// Mirror image of a vector: its part along the normal changes sign, v' = v - 2 (v . n) n. `normal` has length 1.
@@ -48,6 +49,8 @@ class AffineRule {
   [[nodiscard]] int components() const { return components_; }
   /// Was it made by curved_at()?
   [[nodiscard]] bool curved() const { return curved_; }
+  /// The value given to curved_at().
+  [[nodiscard]] double at_wall(int component) const { return at_wall_[static_cast<std::size_t>(component)]; }
   [[nodiscard]] double matrix(int row, int column) const { return matrix_[place(row, column)]; }
   [[nodiscard]] double& matrix(int row, int column) { return matrix_[place(row, column)]; }
   [[nodiscard]] double summand(int component) const { return summand_[static_cast<std::size_t>(component)]; }
@@ -57,6 +60,7 @@ class AffineRule {
   [[nodiscard]] AffineRule after(const AffineRule& first) const {
     AffineRule both(components_);
     both.curved_ = first.curved_;
+    both.at_wall_ = first.at_wall_;
     for (int r = 0; r < components_; ++r) {
       both.summand(r) = summand(r);
       for (int c = 0; c < components_; ++c) {
@@ -80,6 +84,7 @@ class AffineRule {
   bool curved_ = false;
   std::array<double, most * most> matrix_{};
   std::array<double, most> summand_{};
+  std::array<double, most> at_wall_{};
 };
 
 }  // namespace mesogen

@@ -72,7 +72,7 @@ class MESOGEN_EXPORT Boundary {
   [[nodiscard]] virtual AffineRule ghost_rule(const Scene& scene, const FieldKind& field,
                                               const std::array<int, 3>& boxes) const;
   /// How a field goes on in a wall. The value at a mirror point is interpolated from the fluid: a linear field goes on
-  /// exactly, and where it is held at the wall (AffineRule::curved_at) a quadratic one too.
+  /// exactly, and with AffineRule::curved_at a quadratic one too, of a vector its part along the wall.
   [[nodiscard]] virtual AffineRule wall_rule(const Scene& scene, const FieldKind& field, const WallParticle& at) const;
 };
 
