@@ -147,8 +147,8 @@ TEST(WayToMirror, IsToTheImageOnTheSideOfTheNormal) {
   };
   EXPECT_NEAR(along_x(1.0), 0.6, 1e-15);
   EXPECT_NEAR(along_x(-1.0), -0.4, 1e-15);
-  const auto across = way_to_mirror(scene, boundary, {{0.5, -0.1, 0.0}, {0.5, 0.9, 0.0}, {0.0, -1.0, 0.0}});
-  EXPECT_NEAR(across[1], 1.0, 1e-15) << "the box ends there";
+  const auto beyond = way_to_mirror(scene, boundary, {{0.5, -0.1, 0.0}, {0.5, 0.9, 0.0}, {0.0, -1.0, 0.0}});
+  EXPECT_NEAR(beyond[1], 1.0, 1e-15) << "the box ends there";
 }
 
 /// Walls across y and disordered fluid between them.
