@@ -41,10 +41,8 @@ std::atomic_flag told = ATOMIC_FLAG_INIT;
 bool on_terminal = false;
 
 #ifdef MESOGEN_SANITIZER_REPORTS
-constexpr bool sanitizer_reports = true;
 constexpr std::array crashes = {SIGILL, SIGABRT, SIGALRM};  // sanitizers leave these alone
 #else
-constexpr bool sanitizer_reports = false;
 constexpr std::array crashes = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGALRM};
 #endif
 constexpr std::size_t signal_stack_size = 64UL * 1024UL;
@@ -133,33 +131,34 @@ extern "C" void on_crash(int signal, siginfo_t* info, void* context) {
   ::pthread_kill(::pthread_self(), signal);
 }
 
-/// A stack for the handler, since that of the thread may be full.
+/// A stack for the handler, since that of the thread may be full. A thread that has one keeps it: a sanitizer may have
+/// set it up.
 class SignalStack {
  public:
-  SignalStack()
-      : memory_(::mmap(nullptr, signal_stack_size, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0)) {
+  SignalStack() {
     stack_t stack{};
+    if (::sigaltstack(nullptr, &stack) != 0 || (stack.ss_flags & SS_DISABLE) == 0) return;
+    memory_ = ::mmap(nullptr, signal_stack_size, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+    stack = {};
     stack.ss_sp = memory_;
     stack.ss_size = signal_stack_size;
     if (memory_ != MAP_FAILED) ::sigaltstack(&stack, nullptr);
   }
   ~SignalStack() {
+    if (memory_ == MAP_FAILED) return;
     stack_t none{};
     none.ss_flags = SS_DISABLE;
     ::sigaltstack(&none, nullptr);
-    if (memory_ != MAP_FAILED) ::munmap(memory_, signal_stack_size);
+    ::munmap(memory_, signal_stack_size);
   }
   SignalStack(const SignalStack&) = delete;
   SignalStack& operator=(const SignalStack&) = delete;
 
  private:
-  void* memory_;
+  void* memory_ = MAP_FAILED;
 };
 
-void use_signal_stack() {
-  if (sanitizer_reports) return;
-  thread_local const SignalStack stack;
-}
+void use_signal_stack() { thread_local const SignalStack stack; }
 
 void install() {
   use_signal_stack();

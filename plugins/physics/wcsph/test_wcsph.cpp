@@ -72,9 +72,9 @@ TEST(Wcsph, ContinuityFollowsTheDivergence) {
 }
 
 /// Part of a density that alternates from particle to particle which is left after 20 steps of a box at rest.
-double alternating_density_left(double diffusion) {
+double alternating_density_left(const std::string& diffusion, const std::string& more = "") {
   CaseText text(1.0, 16);
-  text.flow(0.1, "sound_speed = 3.0\ndensity_diffusion = " + std::to_string(diffusion)).read("\"compression\"");
+  text.flow(0.1, "sound_speed = 3.0\ndensity_diffusion = " + diffusion + "\n" + more).read("\"compression\"");
   CaseRun run(text);
   Field& compression = run.state().fields.at("compression");
   const auto sign = [&](Index i) {
@@ -96,8 +96,16 @@ double alternating_density_left(double diffusion) {
 
 // delta-SPH: dc/dt gains delta h c0 lap c. The gradient of the pressure does not see what alternates.
 TEST(Wcsph, DiffusionEvensOutWhatPressureDoesNotSee) {
-  EXPECT_NEAR(alternating_density_left(0.0), 1.0, 1e-3);
-  EXPECT_LT(alternating_density_left(0.1), 0.9);
+  EXPECT_NEAR(alternating_density_left("0.0"), 1.0, 1e-3);
+  EXPECT_LT(alternating_density_left("0.1"), 0.9);
+}
+
+TEST(Wcsph, DiffusesDensityLessInCreepingFlow) {
+  EXPECT_EQ(alternating_density_left("\"auto\""), alternating_density_left("0.1"));
+  const std::string creeping = "inertia = false\nexpected_speed = 0.1";
+  const double left = alternating_density_left("\"auto\"", creeping);
+  EXPECT_EQ(left, alternating_density_left("0.02", creeping));
+  EXPECT_NE(left, alternating_density_left("0.1", creeping));
 }
 
 /// Largest speed, m/s, that a uniform pressure gives to particles that lie unevenly, in one step from rest.
