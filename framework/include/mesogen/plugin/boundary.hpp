@@ -62,7 +62,8 @@ class MESOGEN_EXPORT Boundary {
   /// ends of the others.
   virtual void keep_inside(const Scene& scene, double* position, std::int32_t* images) const;
   /// The particles of walls: all that a particle of the fluid can see within `reach` (m). Along periodic axes they lie
-  /// inside the box; the framework makes their images. Called once.
+  /// inside the box; the framework makes their images. Between a wall particle and its mirror point there may be a
+  /// periodic face, but no sheared one. Called once.
   [[nodiscard]] virtual std::vector<WallParticle> wall_particles(const Scene& scene, double reach) const;
 
   // The conditions. Both rules are by default that values stay the same.
