@@ -29,7 +29,14 @@ struct Doubles {
   }
 };
 
-template <MirrorFit fit, class Real, int Dim, class Kernel>
+/// The kernel at a pack of distances, m. Through a pointer, so that the loop is compiled once for all forms.
+struct KernelValue {
+  const void* function;
+  Lane (*value)(const void* function, Lane distance);
+  Lane operator()(const Lane& distance) const { return value(function, distance); }
+};
+
+template <MirrorFit fit, class Real, int Dim>
 struct WeightLoop {
   static constexpr int width = NeighbourBlock::width<Real>;
   static constexpr int moments = 1 + Dim + symmetric_components<Dim>;
@@ -37,7 +44,7 @@ struct WeightLoop {
 
   Neighbours<Real, Dim> neighbours;
   MirrorPoints<Dim> points;
-  Kernel kernel;
+  KernelValue kernel;
   double length;             // h
   double beyond[2 * width];  // 0, then what is farther than the support, in the square of h
   double* weight;
@@ -51,7 +58,7 @@ struct WeightLoop {
           Lane square;
           exec::load(beyond + width - block.lanes + lane, square);
           for (int d = 0; d < Dim; ++d) square = square + way[d][lane] * way[d][lane];
-          Lane value = kernel.value(exec::square_root(square) * length);
+          Lane value = kernel(exec::square_root(square) * length);
           Lane from[Dim];  // the way from where the fit is evaluated
           for (int d = 0; d < Dim; ++d) from[d] = way[d][lane];
           if constexpr (fit == MirrorFit::curved) {
@@ -205,10 +212,13 @@ template <MirrorFit fit, class Real, int Dim>
 void find_weights(const Neighbours<Real, Dim>& neighbours, const MirrorPoints<Dim>& points,
                   const SmoothingKernel& kernel, double* weight) {
   with_kernel_function<double>(kernel, [&](const auto& function) {
-    using Loop = WeightLoop<fit, Real, Dim, std::decay_t<decltype(function)>>;
-    Loop loop{neighbours, points, function, kernel.smoothing_length, {}, weight};
+    using Function = std::decay_t<decltype(function)>;
+    const KernelValue value{&function, [](const void* of, Lane distance) {
+                              return static_cast<const Function*>(of)->value(distance);
+                            }};
+    WeightLoop<fit, Real, Dim> loop{neighbours, points, value, kernel.smoothing_length, {}, weight};
     const double support = kernel.radius() / kernel.smoothing_length;
-    for (int lane = 0; lane < Loop::width; ++lane) loop.beyond[Loop::width + lane] = 4.0 * support * support;
+    for (int lane = 0; lane < loop.width; ++lane) loop.beyond[loop.width + lane] = 4.0 * support * support;
     exec::for_each({}, points.count, loop);
   });
 }
