@@ -213,9 +213,8 @@ void find_weights(const Neighbours<Real, Dim>& neighbours, const MirrorPoints<Di
                   const SmoothingKernel& kernel, double* weight) {
   with_kernel_function<double>(kernel, [&](const auto& function) {
     using Function = std::decay_t<decltype(function)>;
-    const KernelValue value{&function, [](const void* of, Lane distance) {
-                              return static_cast<const Function*>(of)->value(distance);
-                            }};
+    const KernelValue value{
+        &function, [](const void* of, Lane distance) { return static_cast<const Function*>(of)->value(distance); }};
     WeightLoop<fit, Real, Dim> loop{neighbours, points, value, kernel.smoothing_length, {}, weight};
     const double support = kernel.radius() / kernel.smoothing_length;
     for (int lane = 0; lane < loop.width; ++lane) loop.beyond[loop.width + lane] = 4.0 * support * support;
