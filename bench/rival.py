@@ -7,7 +7,7 @@
 Runs cases/accuracy/benchmark to 40 s at each resolution. Error: of v_rms at 20, 30, 40 s, root mean square, relative.
 Cost: processor time of stepping, s; with more threads the wall time of Mesogen's, beside the one core of the grid.
 Weakly compressible SPH at the large resolutions is not run: its cost is what `mesogen check` measures a step times the
-steps. Writes CHARTS.csv and CHARTS.png, prints the table. The build needs the benchmarks (-DMESOGEN_BENCHMARKS=ON), or
+steps. Writes CHARTS.csv and CHARTS.png, prints the table. The build needs the benchmarks (scripts/setup all), or
 give the program: --finite-volume. Some 8 minutes on a free core; --quick, ten seconds,
 shows whether all works.
 """

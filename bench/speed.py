@@ -4,7 +4,7 @@
     bench/speed.py [--build build/release] [--quick] [--only passes runs ...] [-o docs/performance]
 
 Writes OUTPUT/speed.csv and puts the tables into OUTPUT.md, between its markers. The build needs the benchmarks
-(-DMESOGEN_BENCHMARKS=ON); without PySPH its rows are left out, without a CUDA device those of the last that there was
+(scripts/setup all); without PySPH its rows are left out, without a CUDA device those of the last that there was
 stay. Some 12 minutes on two free cores. --quick, one minute,
 tells whether all works and is too rough to be quoted; that and --only print their tables and write nothing. --tables
 makes the page's tables anew of the CSV that is there.

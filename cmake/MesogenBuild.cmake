@@ -20,7 +20,7 @@ set(CMAKE_INSTALL_LIBDIR lib)
 
 set(MESOGEN_WARNINGS_ARE_ERRORS ON)
 include(MesogenCompileOptions)
-# The command and the tests do not compute for long themselves: they had better compile fast.
+# The command, the tests and parts of the framework do not compute for long themselves: they had better compile fast.
 set(MESOGEN_COLD_OPTIONS $<$<CONFIG:Release>:-O1>)
 set(MESOGEN_PAIR_LOOP_OPTIONS "")
 if(MESOGEN_SANITIZE)

@@ -17,9 +17,10 @@
 #include <vector>
 
 #include "../../plugins/physics/wcsph/passes.hpp"
+#include "../../plugins/physics/wcsph/published_passes.hpp"
 #include "bed.hpp"
 #include "machine.hpp"
-#include "sph/passes/fits.hpp"
+#include "sph/passes/weighed_pairs.hpp"
 
 namespace {
 
@@ -63,9 +64,7 @@ struct Derivatives {
   struct Own {};
   template <class Pair, class Lane>
   void pair(const Own&, const Pair& pair, Lane* sum) const {
-    sph::WeighedPair<Lane, 2> p;
-    p.slope = pair.load(volume) * pair.gradient();
-    for (int d = 0; d < 2; ++d) p.separation[d] = pair.separation[d];
+    const auto p = sph::weighed<double, 2>(pair, volume);
     fit.add(p, sum);
     if (components == 0) return;
     const double weight[Fit::weight_count] = {};

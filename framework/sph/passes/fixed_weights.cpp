@@ -4,7 +4,7 @@
 #ifndef __CUDACC__
 
 #include "mesogen/sph/pair_sum.hpp"
-#include "sph/passes/fits.hpp"
+#include "sph/passes/weighed_pairs.hpp"
 
 namespace mesogen::sph {
 
@@ -21,14 +21,8 @@ struct WeightLoop {
   Real* gradient[Dim];
 
   void operator()(Index i) const {
-    const auto weighed = [&](const auto& pair) {
-      WeighedPair<Lane, Dim> p;
-      p.slope = pair.load(volume) * pair.gradient();
-      for (int d = 0; d < Dim; ++d) p.separation[d] = pair.separation[d];
-      return p;
-    };
     Lane moments[Fit::sum_count] = {};
-    pairs.visit(i, [&](const auto& pair) { fit.add(weighed(pair), moments); });
+    pairs.visit(i, [&](const auto& pair) { fit.add(weighed<Real, Dim>(pair, volume), moments); });
     Real total[Fit::sum_count];
     exec::sum_lanes(moments, total);
     Real weight[Fit::weight_count];
@@ -36,7 +30,7 @@ struct WeightLoop {
     const auto centre = pairs.place(i);
     for (std::int64_t block = neighbours.block_begin[i]; block < neighbours.block_begin[i + 1]; ++block) {
       pairs.visit_block(centre, neighbours.block[block], [&](int first, const auto& pair) {
-        const auto p = weighed(pair);
+        const auto p = weighed<Real, Dim>(pair, volume);
         const std::int64_t lane = block * NeighbourBlock::width<Real> + first;
         Lane slope[Dim];
         for (int d = 0; d < Dim; ++d) slope[d] = p.slope * p.separation[d];

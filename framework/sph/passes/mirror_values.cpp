@@ -215,9 +215,10 @@ void find_weights(const Neighbours<Real, Dim>& neighbours, const MirrorPoints<Di
     using Function = std::decay_t<decltype(function)>;
     const KernelValue value{
         &function, [](const void* of, Lane distance) { return static_cast<const Function*>(of)->value(distance); }};
-    WeightLoop<fit, Real, Dim> loop{neighbours, points, value, kernel.smoothing_length, {}, weight};
+    using Loop = WeightLoop<fit, Real, Dim>;
+    Loop loop{neighbours, points, value, kernel.smoothing_length, {}, weight};
     const double support = kernel.radius() / kernel.smoothing_length;
-    for (int lane = 0; lane < loop.width; ++lane) loop.beyond[loop.width + lane] = 4.0 * support * support;
+    for (int lane = 0; lane < Loop::width; ++lane) loop.beyond[Loop::width + lane] = 4.0 * support * support;
     exec::for_each({}, points.count, loop);
   });
 }

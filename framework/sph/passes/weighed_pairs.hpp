@@ -62,10 +62,12 @@ class WeighedPairs {
     } pack[most];
   };
 
-  /// Keeps a reference to the pairs.
+  /// Keeps a pointer to the pairs.
   template <class Kernel>
   WeighedPairs(const Pairs<Real, Dim, Kernel>& pairs, const FieldView<const Real>& volume)
       : pairs_(&pairs), find_(&find<Kernel>), volume_(volume) {}
+  template <class Kernel>
+  WeighedPairs(const Pairs<Real, Dim, Kernel>&& pairs, const FieldView<const Real>& volume) = delete;
 
   void keep(Index i, Kept& kept) const { find_(pairs_, volume_, i, 0, kept); }
 
@@ -86,7 +88,7 @@ class WeighedPairs {
 
  private:
   template <class Kernel>
-  static void find(const void* pairs, const FieldView<const Real>& volume, Index i, int first, Kept& kept) {
+  static void find(const void* pairs, FieldView<const Real> volume, Index i, int first, Kept& kept) {
     int packs = 0;
     static_cast<const Pairs<Real, Dim, Kernel>*>(pairs)->visit(
         i, [&](const auto& pair) __attribute__((always_inline)) {
@@ -102,7 +104,7 @@ class WeighedPairs {
   }
 
   const void* pairs_;
-  void (*find_)(const void* pairs, const FieldView<const Real>& volume, Index i, int first, Kept& kept);
+  void (*find_)(const void* pairs, FieldView<const Real> volume, Index i, int first, Kept& kept);
   FieldView<const Real> volume_;
 };
 

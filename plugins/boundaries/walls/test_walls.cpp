@@ -183,7 +183,7 @@ boundary = { type = "walls", velocity_low = 0.0, velocity_high = 1.0 })");
   for (std::size_t i = 0; i < slope.size(); ++i) EXPECT_NEAR(slope[i], 1.0, 1e-11) << "at y = " << y[i];
 }
 
-/// Laplacian of the velocity (u, u) between walls across `axes` at disordered particles.
+/// Disordered particles with the velocity (u, u) in a box with such walls, which keep its Laplacian.
 template <class Function>
 CaseRun laplacian_between_walls(int across, const std::string& walls, const Function& u) {
   CaseText text(1.0, across);
@@ -243,7 +243,7 @@ double error_in_corners(int across) {
   return worst;
 }
 
-// A particle behind a corner is mirrored at one wall alone, the farther one: an error that is bounded, but stays.
+// Behind a corner values are reflected by the rule of the farther wall alone: an error that is bounded, but stays.
 TEST(Walls, ContinueTheVelocityIntoCorners) {
   EXPECT_LT(error_in_corners(16), 0.1);
   EXPECT_LT(error_in_corners(64), 0.1);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <utility>
 #include <vector>
@@ -56,7 +57,8 @@ class LocatedParticles {
   /// The first whose points begin in this row or a later one.
   [[nodiscard]] Index begin_of_row(int row) const { return begin_[static_cast<std::size_t>(row)]; }
 
-  /// See ParticleMesh::locate.
+  /// Takes the positions of the particles, m. Of a particle outside the box, its periodic image inside is used.
+  /// `origin`: position of the first point of the grid, m. All positions must be finite.
   void locate(const std::array<const double*, Dim>& position, Index count, const std::array<double, Dim>& origin = {}) {
     origin_ = origin;
     located_.resize(static_cast<std::size_t>(count));

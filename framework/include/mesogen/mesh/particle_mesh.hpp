@@ -34,8 +34,7 @@ class ParticleMesh {
   [[nodiscard]] const Grid<Dim>& grid() const { return grid_; }
   [[nodiscard]] Index count() const { return particles_.count(); }
 
-  /// Takes the positions of the particles, m. Of a particle outside the box, its periodic image inside is used.
-  /// `origin`: position of the first point of the grid, m. All positions must be finite.
+  /// As LocatedParticles::locate.
   void locate(const std::array<const double*, Dim>& position, Index count, const std::array<double, Dim>& origin = {}) {
     particles_.locate(position, count, origin);
   }
