@@ -31,7 +31,7 @@ Case read(const CaseOptions& options, const PluginRegistry& registry) {
   Problems problems;
   Case source = read_case(options.file, options.overrides, problems);
   // Reports the plugins' complaints too: all errors at once.
-  if (!problems.empty()) mesogen::set_up(std::move(source), registry, problems);
+  if (!problems.empty()) mesogen::set_up(source, registry, problems);
   return source;
 }
 

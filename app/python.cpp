@@ -35,7 +35,7 @@ runpy.run_module(module, run_name="__main__")
 
 /// The Python package lies beside the libraries, in a build as in an installation.
 std::filesystem::path package_folder() {
-  const auto folder = installation() / "lib" / "mesogen" / "python";
+  auto folder = installation() / "lib" / "mesogen" / "python";
   if (!std::filesystem::exists(folder / "mesogen" / "__init__.py"))
     throw Error(ExitCode::run_failed,
                 fmt::format("the Python package is missing: {} is not there; install Mesogen again", folder.string()));
@@ -59,6 +59,7 @@ ExitCode hand_over(const std::string& verb, const std::string& module, const For
   words.emplace_back("--");
   words.insert(words.end(), given.arguments.begin(), given.arguments.end());
   std::vector<char*> pointers;
+  pointers.reserve(words.size() + 1);
   for (auto& word : words) pointers.push_back(word.data());
   pointers.push_back(nullptr);
   execv(python, pointers.data());

@@ -45,7 +45,7 @@ class CaseReader {
       if (std::find(known.begin(), known.end(), key) == known.end()) {
         const std::string hint = did_you_mean(key, known);
         if (hint.empty() && value.as<Value::Table>() != nullptr) {
-          initial_.push_back({key, place});
+          initial_.emplace_back(key, place);
           continue;
         }
         misspelt_.push_back(nearest(key, known));
@@ -116,7 +116,7 @@ class CaseReader {
       });
       if (word) continue;
       problems_.add(units.place_of(key), units.full_key(key),
-                    "must be the name of a unit, letters alone, such as \"um\", but is \"" + *name + "\"");
+                    R"(must be the name of a unit, letters alone, such as "um", but is ")" + *name + "\"");
       *name = *key == 'l' ? "m" : (*key == 't' ? "s" : "N");
     }
   }

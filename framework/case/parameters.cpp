@@ -140,7 +140,7 @@ bool ParameterList::applies(const Parameter& parameter) const {
   const Parameter* const other = find(parameter.condition_key);
   if (other == nullptr)
     throw Error(ExitCode::plugin_refused,
-                fmt::format("the parameter \"{}\" depends on \"{}\", which is not declared: name a key of this list",
+                fmt::format(R"(the parameter "{}" depends on "{}", which is not declared: name a key of this list)",
                             parameter.name, parameter.condition_key));
   const auto value = current_value(*other);
   if (!value) return false;

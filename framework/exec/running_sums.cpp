@@ -1,6 +1,7 @@
 #include "exec/running_sums.hpp"
 
 #include <algorithm>
+#include <cstddef>
 #include <numeric>
 #include <vector>
 
@@ -11,7 +12,8 @@ Index running_sums(Index* values, Index count) {
   constexpr Index size = 4096;
   const Index chunks = (count + size - 1) / size;
   const auto range = [&](Index chunk) {
-    return std::pair(values + chunk * size, values + std::min(count, (chunk + 1) * size));
+    const std::ptrdiff_t first = std::ptrdiff_t{chunk} * size;
+    return std::pair(values + first, values + std::min<std::ptrdiff_t>(count, first + size));
   };
   std::vector<Index> before(static_cast<std::size_t>(chunks));
 #pragma omp parallel for schedule(static)

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 #include "case/arrangement.hpp"
 #include "mesogen/diagnostics/error.hpp"
@@ -26,13 +27,14 @@ double count_of(const Case& source) { return lattice_counts(source).total(); }
 double spacing_of(const Case& source, double particles) {
   const auto& size = source.domain.size;
   const double shortest = *std::ranges::min_element(size);
-  constexpr double fewest_across = 4.0;
+  constexpr int fewest_across = 4;
   double in_a_cube = particles;  // whose edge is the shortest of the box
   for (const double edge : size) in_a_cube *= shortest / edge;
-  double across = std::floor(std::pow(in_a_cube, 1.0 / static_cast<double>(size.size())));
-  for (; across >= fewest_across; --across) {
+  const double most_across = std::pow(in_a_cube, 1.0 / static_cast<double>(size.size()));
+  if (!(most_across >= fewest_across)) return 0.0;
+  for (auto across = static_cast<std::int64_t>(most_across); across >= fewest_across; --across) {
     Case other = source;
-    other.particles.spacing = shortest / across;
+    other.particles.spacing = shortest / static_cast<double>(across);
     if (arrangement_problem(other).empty() && count_of(other) <= particles) return other.particles.spacing;
   }
   return 0.0;

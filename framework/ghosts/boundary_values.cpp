@@ -40,6 +40,7 @@ const BoundaryValues::Rules& BoundaryValues::rules_of(const Field& field) {
 BoundaryValues::Rules BoundaryValues::ask(const FieldKind& field) const {
   const Images& images = neighbourhood_.ghosts().images();
   std::vector<AffineRule> ghosts;
+  ghosts.reserve(static_cast<std::size_t>(images.count));
   for (int image = 0; image < images.count; ++image)
     ghosts.push_back(boundary_.ghost_rule(scene_, field, boxes_of(images, image)));
   std::vector<AffineRule> walls;

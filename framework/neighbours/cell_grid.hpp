@@ -88,7 +88,8 @@ class MESOGEN_EXPORT CellGrid {
     if (axis > 0) return cell * width_[axis];
     if (cell < 0) return -padding_[0] * width_[0];
     if (cell >= cells_[0]) return cells_[0] * width_[0];
-    return cell / cells_in_tile * cells_in_tile * width_[0];
+    const int first_cell = cell / cells_in_tile * cells_in_tile;
+    return first_cell * width_[0];
   }
 
   [[nodiscard]] MESOGEN_HOST_DEVICE int dimension() const { return dimension_; }

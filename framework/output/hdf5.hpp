@@ -135,7 +135,6 @@ void write_attribute(const Id& object, const std::string& name, T value) {
                      H5Aclose, "create attribute " + name);
   check(H5Awrite(attribute.get(), memory_type<T>(), &value), "write attribute " + name);
 }
-bool has_attribute(const Id& object, const std::string& name);
 template <class T>
 T read_attribute(const Id& object, const std::string& name) {
   const Id attribute(H5Aopen(object.get(), name.c_str(), H5P_DEFAULT), H5Aclose, "find attribute " + name);

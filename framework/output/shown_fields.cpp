@@ -44,12 +44,14 @@ std::vector<ShownField> shown(const FieldShape& field, int dimension) {
   if (field.rank == Rank::vector && field.components == dimension) return as(vector_size, {{0, 0, dimension}});
   if (field.rank == Rank::matrix && field.components == dimension * dimension) {
     std::vector<Columns> rows;
+    rows.reserve(static_cast<std::size_t>(dimension));
     for (int row = 0; row < dimension; ++row) rows.push_back(row_of_tensor(row, row * dimension, dimension));
     return as(tensor_size, std::move(rows));
   }
   if (field.rank == Rank::order_tensor && field.components == component_count(Rank::order_tensor, dimension))
     return as(tensor_size, order_tensor(dimension));
   std::vector<ShownField> all;
+  all.reserve(static_cast<std::size_t>(field.components));
   for (int c = 0; c < field.components; ++c)
     all.push_back({field.name + "_" + std::to_string(c), 1, field.type, field, {{0, c, 1}}});
   return all;

@@ -44,7 +44,7 @@ std::string library_problem(const std::filesystem::path& file) {
   if (elf.e_ident[EI_CLASS] != ELFCLASS64 || elf.e_type != ET_DYN || (machine != EM_NONE && elf.e_machine != machine))
     return "it is not a shared library for this kind of machine";
   if (elf.e_phentsize != sizeof(Elf64_Phdr)) return "it is not a valid shared library";
-  const std::string cut = "it is cut short; build or copy it again";
+  const char* const cut = "it is cut short; build or copy it again";
   std::vector<Elf64_Phdr> segments;
   if (!read_records(in, elf.e_phoff, elf.e_phnum, segments)) return cut;
   if (elf.e_shoff + std::uint64_t{elf.e_shnum} * elf.e_shentsize > size) return cut;

@@ -39,6 +39,7 @@ void check_version(const fs::path& file, const Checkpoint& checkpoint) {
   const bool more = times.size() > most;
   times.resize(std::min(times.size(), most));
   std::vector<std::string> texts;
+  texts.reserve(times.size());
   for (const double time : times) texts.push_back(fmt::format("{:.12g}", time));
   throw Error(ExitCode::bad_case,
               times.empty() ? fmt::format("{} holds no checkpoint to branch from", folder.string())

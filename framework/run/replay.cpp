@@ -59,7 +59,7 @@ std::string Replay::missing_source(const std::string& field) const {
       continue;
     for (const auto* const list : {&scheduled.pass.own_reads, &scheduled.pass.neighbour_reads})
       for (const std::string& source : *list)
-        if (const std::string missing = missing_source(source); !missing.empty()) return missing;
+        if (std::string missing = missing_source(source); !missing.empty()) return missing;
     return {};
   }
   if (frames_.find(field) != nullptr || never_changes(field)) return {};
@@ -76,13 +76,15 @@ void Replay::choose_fields() {
     std::erase_if(member.fields, [&](const std::string& field) {
       const std::string missing = missing_source(field);
       if (missing.empty()) return false;
-      const std::string reads = field == missing ? "'" + field + "'" : "'" + field + "', made from '" + missing + "'";
+      const std::string reads =
+          field == missing ? fmt::format("'{}'", field) : fmt::format("'{}', made from '{}'", field, missing);
       if (std::ranges::find(required, field) == required.end()) {
         log_.warn("observers." + member.instance + " does without " + reads + ", which the frames do not hold");
       } else {
-        problems += (problems.empty() ? "" : "\n") + std::string("observers.") + member.instance + " reads " + reads +
-                    ", which the frames of " + folder_.string() + " do not hold: run the case again with '" + missing +
-                    "' in output.fields, or leave this observer out";
+        problems += fmt::format(
+            "{}observers.{} reads {}, which the frames of {} do not hold: run the case again with '{}' in "
+            "output.fields, or leave this observer out",
+            problems.empty() ? "" : "\n", member.instance, reads, folder_.string(), missing);
       }
       return true;
     });

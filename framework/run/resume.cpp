@@ -60,7 +60,7 @@ ExitCode resume_run(const PluginRegistry& registry, const RunOptions& options, c
   problems.throw_if_any();
   if (off_course(checkpoint, end))
     checkpoint = read_newest_checkpoint(options.folder, &which, nullptr, [&](const Checkpoint& read) -> std::string {
-      if (const std::string fault = unfit(read, setup->resolved_text); !fault.empty()) return fault;
+      if (std::string fault = unfit(read, setup->resolved_text); !fault.empty()) return fault;
       return off_course(read, end)
                  ? "its last steps were shortened to end at t = " + setup->source.units.time_text(*read.shortened_for) +
                        ", so it is no state of a longer run; `mesogen branch` can start from it"

@@ -1,3 +1,6 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 
 #include "plugin/plugin_call.hpp"
@@ -90,8 +93,7 @@ void choose_output(SetupContext& context) {
       std::string text = "there is no field '" + field + "' in this scene";
       if (const std::string near = nearest(field, setup.catalogue.names()); !near.empty())
         text += "; did you mean '" + near + "'";
-      std::string all;
-      for (const std::string& name : setup.catalogue.names()) all += (all.empty() ? "" : ", ") + name;
+      const std::string all = fmt::format("{}", fmt::join(setup.catalogue.names(), ", "));
       context.problems.add(source.place("output.fields"), "output.fields",
                            text + ". There are: position, " + all + ", and X_gradient and X_laplacian of each X");
     }

@@ -1,5 +1,7 @@
 #include "schedule/step_graph.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <map>
 
@@ -120,14 +122,15 @@ void StepGraph::check_fields() const {
       for (const std::string& field : fields)
         if (!catalogue_.exists(field)) {
           if (field == "position")
-            throw Error(ExitCode::plugin_refused, "'" + scheduled.title() + "' " + does +
-                                                      " 'position', which is no field: a pass takes coordinates from "
-                                                      "context.position(axis), without naming them");
+            throw Error(ExitCode::plugin_refused,
+                        fmt::format("'{}' {} 'position', which is no field: a pass takes coordinates from "
+                                    "context.position(axis), without naming them",
+                                    scheduled.title(), does));
           const std::string meant = did_you_mean(field, catalogue_.names());
           throw Error(ExitCode::bad_case,
-                      "'" + scheduled.title() + "' " + does + " '" + field +
-                          "', which no plugin of this case introduces" + (meant.empty() ? "." : meant) +
-                          " Add one that does (`mesogen plugin info` tells), or remove '" + scheduled.owner + "'");
+                      fmt::format("'{}' {} '{}', which no plugin of this case introduces{} Add one that does (`mesogen "
+                                  "plugin info` tells), or remove '{}'",
+                                  scheduled.title(), does, field, meant.empty() ? "." : meant, scheduled.owner));
         }
     };
     check(scheduled.pass.own_reads, "reads");
@@ -203,7 +206,7 @@ void StepGraph::follow(const std::string& field, const std::string& wanted_by, N
   }
   if (!made) {
     std::string chain;
-    for (auto link = need.chain.rbegin(); link != need.chain.rend(); ++link) chain += "\n  " + *link;
+    for (auto link = need.chain.rbegin(); link != need.chain.rend(); ++link) chain.append("\n  ").append(*link);
     throw Error(ExitCode::bad_case,
                 "nobody in this case provides the field" + chain +
                     "\nAdd a physics plugin that writes it (`mesogen plugin list`), or remove what needs it");

@@ -23,7 +23,7 @@ void for_each_neighbour(const SmoothingKernel& kernel, double spacing, int dimen
 
 double largest_laplacian(const SmoothingKernel& kernel, double spacing, int dimension, bool consistent) {
   constexpr int waves = 12;  // along each axis, up to that which changes sign from particle to particle
-  std::array<double, 2 * waves> cosine{};
+  std::array<double, std::size_t{2} * waves> cosine{};
   for (int n = 0; n < 2 * waves; ++n) cosine[static_cast<std::size_t>(n)] = std::cos(std::numbers::pi * n / waves);
   double largest = 0.0;
   for (int a = 0; a <= waves; ++a)

@@ -163,7 +163,7 @@ struct ValueLoop {
       for (int c = 0; c < components; ++c) field(c, first + n) = static_cast<Real>(seen(n, c, weights.linear).value);
       return;
     }
-    double value[AffineRule::most];  // only a field with rules has no more components
+    double value[AffineRule::most] = {};  // only a field with rules has no more components
     const bool is_curved = curved.curved != nullptr && curved.curved[n] != 0;
     for (int c = 0; c < components; ++c) {
       const Seen from_wall = seen(n, c, is_curved ? weights.curved : weights.linear);

@@ -77,12 +77,12 @@ class AffineRule {
     for (int c = 0; c < components; ++c) matrix(c, c) = 1.0;
   }
   [[nodiscard]] std::size_t place(int row, int column) const {
-    return static_cast<std::size_t>(row * components_ + column);
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(components_) + static_cast<std::size_t>(column);
   }
 
   int components_;
   bool curved_ = false;
-  std::array<double, most * most> matrix_{};
+  std::array<double, std::size_t{most} * most> matrix_{};
   std::array<double, most> summand_{};
   std::array<double, most> at_wall_{};
 };

@@ -131,15 +131,14 @@ class Pairs {
     }
   }
 
- private:
-  static constexpr int width = NeighbourBlock::width<Real>;
-  static_assert(width % Lane::size() == 0);
 #endif
 
  private:
   Neighbours<Real, Dim> neighbours_;
   Kernel kernel_;
 #ifndef __CUDACC__
+  static constexpr int width = NeighbourBlock::width<Real>;
+  static_assert(width % Lane::size() == 0);
   // Lanes past the end of a block hold other particles, in coordinates of another tile: this moves them out of reach.
   Real least_square_[2 * width];
 #endif
