@@ -93,6 +93,16 @@ TEST(Advice, MoreParticlesInACoreMakeItRight) {
   expect_settled(text, *found);
 }
 
+TEST(Advice, TellsWhatACoarseCoreCostsWhereElasticityActsOnTheFlow) {
+  CaseText text = defects(26);
+  text.flow(0.2).section("physics.elasticity", "type = \"elastic_stress\"");
+  const auto found = advised(text, "core_under_resolved");
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->finding,
+            "the core of a defect, xi, is only 1.3 spacings: the order in cores is wrong by some 3.9 %, and the energy "
+            "of a passive nematic may rise");
+}
+
 // Below two spacings it is always told, and a spacing is named that fits both edges of the box.
 TEST(Advice, ACoreBelowTwoSpacingsIsNeverPassedInSilence) {
   EXPECT_FALSE(advised(defects(40), "core_under_resolved"));
