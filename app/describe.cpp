@@ -35,9 +35,9 @@ ExitCode schema(const Options& options) { return write(options, case_schema); }
 
 ExitCode reference(const Options& options) { return write(options, reference_text); }
 
-void add(Verb& command, const std::string& word, const std::string& summary, ExitCode (*todo)(const Options&)) {
+void add(Verb& command, const std::string& word, const std::string& summary, ExitCode (*task)(const Options&)) {
   const auto options = std::make_shared<Options>();
-  Verb& verb = command.verb(word, summary, [options, todo] { return todo(*options); });
+  Verb& verb = command.verb(word, summary, [options, task] { return task(*options); });
   verb.option("--output", "FILE", &options->output, "File to write (default: print it)", {.letter = 'o'});
   verb.flag("--overwrite", &options->overwrite, "Replace the file if it exists");
   add_plugin_path(verb, options->folders);

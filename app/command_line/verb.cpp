@@ -46,14 +46,14 @@ std::vector<Row> rows(const std::vector<Option>& options) {
 
 }  // namespace
 
-Verb::Verb(std::string called, std::string about, Action todo)
-    : name(std::move(called)), summary(std::move(about)), action(std::move(todo)) {
+Verb::Verb(std::string called, std::string about, Action task)
+    : name(std::move(called)), summary(std::move(about)), action(std::move(task)) {
   flag("--help", &help_wanted, "Print this help", {.letter = 'h'});
   flag("--help-all", &help_all_wanted, "Print this help, and that of all verbs below");
 }
 
-Verb& Verb::verb(const std::string& last_word, const std::string& about, const Action& todo) {
-  return verbs.emplace_back(name + " " + last_word, about, todo);
+Verb& Verb::verb(const std::string& last_word, const std::string& about, const Action& task) {
+  return verbs.emplace_back(name + " " + last_word, about, task);
 }
 
 void Verb::argument(const std::string& value, Target target, const std::string& help, const Rules& rules) {

@@ -50,11 +50,11 @@ using Action = std::function<ExitCode()>;
 /// The command itself, one of its verbs, or a verb of a verb.
 struct Verb {
   /// `called`: with the words before it, "mesogen plugin new". No action: it only has verbs of its own.
-  Verb(std::string called, std::string about, Action todo = {});
+  Verb(std::string called, std::string about, Action task = {});
   Verb(const Verb&) = delete;
   Verb& operator=(const Verb&) = delete;
 
-  Verb& verb(const std::string& last_word, const std::string& about, const Action& todo = {});
+  Verb& verb(const std::string& last_word, const std::string& about, const Action& task = {});
   void argument(const std::string& value, Target target, const std::string& help, const Rules& rules = {});
   void option(const std::string& called, const std::string& value, Target target, const std::string& help,
               const Rules& rules = {});
