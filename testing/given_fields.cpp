@@ -21,6 +21,9 @@ bool contains(const std::vector<std::string>& list, const std::string& what) {
 
 bool anyone_makes(const Setup& setup, const std::string& field) {
   return std::ranges::any_of(setup.physics, [&](const auto& member) {
+    if (std::ranges::any_of(member.passes.linear_terms(),
+                            [&](const auto& term) { return term.coefficient > 0.0 && term.rate == field; }))
+      return true;
     return std::ranges::any_of(member.passes.passes(), [&](const Pass& pass) {
       return contains(pass.write_list, field) || contains(pass.accumulate_list, field);
     });
@@ -92,13 +95,21 @@ void SceneCompletion::add_given(Setup& setup) const {
 }
 
 void SceneCompletion::add_missing(Setup& setup) const {
-  for (const auto& member : setup.physics)
+  for (const auto& member : setup.physics) {
+    for (const LinearTerm& term : member.passes.linear_terms()) {
+      if (!(term.coefficient > 0.0)) continue;
+      const std::string by = member.instance + ": linear terms of " + term.field;
+      add_missing(setup, term.field, false, by);
+      if (!term.divisor.empty()) add_missing(setup, term.divisor, false, by);
+      add_missing(setup, term.rate, true, by);
+    }
     for (const Pass& pass : member.passes.passes()) {
       const std::string by = member.instance + ": " + pass.name;
       for (const auto* const list : {&pass.own_reads, &pass.neighbour_reads})
         for (const std::string& field : *list) add_missing(setup, field, false, by);
       for (const std::string& field : pass.accumulate_list) add_missing(setup, field, true, by);
     }
+  }
   // What a case must set at the start is here a field like others.
   std::vector<FieldDeclaration> to_set;
   for (const auto& [name, entry] : setup.catalogue.all())

@@ -38,7 +38,7 @@ std::string scene_text(PluginKind kind, std::string_view name, std::string_view 
   text += "[physics]\n";
   if (kind == PluginKind::physics) text += section(fmt::format("physics.{}", tested_instance), name, keys);
   if (kind == PluginKind::observer) text += section(fmt::format("observers.{}", tested_instance), name, keys);
-  text += "[time]\nend = 1e6\n";
+  text += "[time]\nend = 1e6\nstepping = \"explicit\"\n";
   if (scene.step > 0.0) text += fmt::format("step = {:.17g}\n", scene.step);
   text += fmt::format("[run]\nprecision = \"{}\"\ndevice = \"{}\"\n", to_string(scene.precision), scene.device);
   return text + scene.more + "\n";

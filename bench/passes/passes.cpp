@@ -113,7 +113,6 @@ void fill_momentum(Bed<Real>& bed, Pass& pass) {
   pass.density = bed.source(1);
   pass.correction = bed.source(4);
   pass.velocity = bed.source(2);
-  pass.velocity_laplacian = bed.source(2);
   pass.acceleration = bed.field(2);
   pass.viscosity = Real(1);
 }

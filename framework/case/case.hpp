@@ -51,6 +51,7 @@ struct MESOGEN_EXPORT Case {
     std::optional<double> step;       ///< s; none: chosen automatically
     double factor = 1.0;              ///< automatic step in multiples of its stability limit
     std::string scheme = "midpoint";  ///< see TimeScheme
+    std::string stepping = "auto";    ///< explicit, stabilised or auto
   };
   struct Output {
     double interval = 0.0;                   ///< s of simulated time; by default the end of the run

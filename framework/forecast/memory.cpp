@@ -81,19 +81,23 @@ class Counted {
         if (entry.declaration.advance == Advance::predicted) numbers += setup_.catalogue.components(name) * exact;
     for (const auto& [name, entry] : setup_.catalogue.all())
       if (entry.declaration.advance == Advance::by_passes) numbers += setup_.catalogue.components(name) * exact;
+    for (const LinearTerms& terms : setup_.graph->staged())  // see Stages
+      keep((terms.diffusion > 0.0 ? 3 : 2) * setup_.catalogue.components(terms.field), false);
     for (const std::string& name : derived()) keep(setup_.catalogue.components(name), false);
     const double scratch = (number_ == exact || masters ? exact : 0.0) + (number_ == single ? single : 0.0);
     // Room is taken for a sixteenth more than there is.
     return (particles_ + ghosts_ + walls_) * numbers * 17.0 / 16.0 + particles_ * scratch;
   }
 
-  /// Of derivatives where nothing moves; see sph/fixed_weights.hpp.
+  /// Of derivatives where nothing moves, and of stages; see sph/fixed_weights.hpp.
   [[nodiscard]] double weights() const {
     const Transport& flow = setup_.graph->transport();
-    if (!flow.velocity.empty() && !flow.fixed) return 0.0;
+    const bool still = flow.velocity.empty() || flow.fixed;
     bool gradient = false;
-    bool laplacian = false;
+    bool laplacian =
+        std::ranges::any_of(setup_.graph->staged(), [](const auto& terms) { return terms.diffusion > 0.0; });
     for (const std::string& name : setup_.graph->derived_for_integration()) {
+      if (!still) break;
       gradient = gradient || name.ends_with("_gradient");
       laplacian = laplacian || name.ends_with("_laplacian");
     }

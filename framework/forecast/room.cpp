@@ -53,14 +53,22 @@ std::optional<PerParticle> per_particle(const Case& source, double program, cons
     if (!(spacing > 0.0)) return std::nullopt;
     settings.push_back(fmt::format("particles.spacing={:.12g}", spacing));
   }
-  try {
-    const auto copy = set_up_with(settings);
-    const MemoryForecast memory = forecast_memory(*copy, program);
-    const double whatever = memory.lasting.front().bytes;
-    return PerParticle{(memory.peak() - whatever) / copy->scene.particle_count, whatever};
-  } catch (const Error&) {
-    return std::nullopt;
-  }
+  const auto count_with = [&]() -> std::optional<PerParticle> {
+    try {
+      const auto copy = set_up_with(settings);
+      const MemoryForecast memory = forecast_memory(*copy, program);
+      const double whatever = memory.lasting.front().bytes;
+      return PerParticle{(memory.peak() - whatever) / copy->scene.particle_count, whatever};
+    } catch (const Error&) {
+      return std::nullopt;
+    }
+  };
+  const auto usual = count_with();
+  if (source.time.stepping != "auto") return usual;
+  // Finer particles may make stabilised steps the better ones, and these take more memory.
+  settings.emplace_back("time.stepping=stabilised");
+  const auto stabilised = count_with();
+  return stabilised ? stabilised : usual;
 }
 
 std::optional<Fitting> fitting(const Case& source, double available, const std::optional<PerParticle>& each) {

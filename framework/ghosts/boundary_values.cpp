@@ -34,20 +34,21 @@ const BoundaryValues::Rules& BoundaryValues::rules_of(const Field& field) {
   const auto at = rules_.find(field.name());
   if (at != rules_.end()) return at->second;
   const Rules same{{{}, clock_.backend.memory()}, {{}, clock_.backend.memory()}, {}, {}, false};
-  return rules_.emplace(field.name(), field.kind ? ask(*field.kind) : same).first->second;
+  return rules_.emplace(field.name(), field.kind ? ask(*field.kind, field.difference) : same).first->second;
 }
 
-BoundaryValues::Rules BoundaryValues::ask(const FieldKind& field) const {
+BoundaryValues::Rules BoundaryValues::ask(const FieldKind& field, bool difference) const {
+  const auto asked = [difference](const AffineRule& rule) { return difference ? rule.of_differences() : rule; };
   const Images& images = neighbourhood_.ghosts().images();
   std::vector<AffineRule> ghosts;
   ghosts.reserve(static_cast<std::size_t>(images.count));
   for (int image = 0; image < images.count; ++image)
-    ghosts.push_back(boundary_.ghost_rule(scene_, field, boxes_of(images, image)));
+    ghosts.push_back(asked(boundary_.ghost_rule(scene_, field, boxes_of(images, image))));
   std::vector<AffineRule> walls;
   std::vector<std::uint8_t> curved;
   std::vector<double> at_wall;
   for (const WallSet::Member& wall : neighbourhood_.walls().members()) {
-    const AffineRule own = boundary_.wall_rule(scene_, field, wall.particle);
+    const AffineRule own = asked(boundary_.wall_rule(scene_, field, wall.particle));
     walls.push_back(wall.image == WallSet::no_image ? own : ghosts[static_cast<std::size_t>(wall.image)].after(own));
     curved.push_back(own.curved() ? 1 : 0);
     for (int c = 0; c < own.components(); ++c) at_wall.push_back(own.at_wall(c));

@@ -42,7 +42,7 @@ class MESOGEN_EXPORT BoundaryValues {
     bool vector = false;               ///< the field is a vector
   };
   const Rules& rules_of(const Field& field);
-  [[nodiscard]] Rules ask(const FieldKind& field) const;
+  [[nodiscard]] Rules ask(const FieldKind& field, bool difference) const;
   template <class Real>
   void refresh_ghosts(Field& field);
   template <class Real, int Dim>

@@ -84,6 +84,8 @@ class MESOGEN_EXPORT Field {
 
   /// What a boundary goes by. Without it the values at ghosts and walls are the same as in the fluid.
   std::optional<FieldKind> kind;
+  /// Its values are differences of two values of a field of that kind.
+  bool difference = false;
 
  private:
   template <class Real>

@@ -50,6 +50,38 @@ struct AdvectArguments {
   Real sign;
 };
 
+/// rate += (diffusion * laplacian - damping * value) / divisor.
+template <class Real>
+struct LinearArguments {
+  FieldView<const Real> value;
+  FieldView<const Real> laplacian;  ///< may be empty
+  FieldView<const Real> divisor;    ///< may be empty
+  FieldView<Real> rate;
+  Real diffusion, damping;
+  int components;
+};
+
+/// One stage of a stabilised step; see time/stages.hpp. For the increment Y of a field since the start of the step,
+///   before = of_latest * latest + of_before * before + of_slope * slope + (diffusion * laplacian - damping * latest) /
+///   divisor.
+template <class Real>
+struct StageArguments {
+  FieldView<const Real> latest, slope;
+  FieldView<const Real> divisor;  ///< may be empty
+  FieldView<Real> before;
+  Real of_latest, of_before, of_slope, diffusion, damping;
+  int components;
+
+  /// For numbers, or for packs of them. `share`: 1 / divisor.
+  template <class Lane>
+  [[gnu::always_inline]] MESOGEN_HOST_DEVICE Lane next(const Lane& latest_one, const Lane& before_one,
+                                                       const Lane& slope_one, const Lane& laplacian,
+                                                       const Lane& share) const {
+    const Lane stiff = share * (laplacian * diffusion - latest_one * damping);
+    return latest_one * of_latest + before_one * of_before + (slope_one * of_slope + stiff);
+  }
+};
+
 template <class Real>
 class FieldLoops {
  public:
@@ -60,6 +92,12 @@ class FieldLoops {
 
   virtual void zero(FieldView<Real> field, int components, Index count) const = 0;
   virtual void advect(const AdvectArguments<Real>& arguments, Index count) const = 0;
+  virtual void add_linear(const LinearArguments<Real>& arguments, Index count) const = 0;
+  /// `laplacian`: of the latest; may be empty.
+  virtual void stage(const StageArguments<Real>& arguments, FieldView<const Real> laplacian, Index count) const = 0;
+  /// to = factor * from.
+  virtual void scale(FieldView<const Real> from, Real factor, FieldView<Real> to, int components,
+                     Index count) const = 0;
   /// Finds the largest squared length of the value, and next of the rate; infinite where something is not a number.
   virtual Reduction advance(const AdvanceArguments<Real>& arguments, Index count) const = 0;
   /// Finds a number above 0 if a particle is nowhere.

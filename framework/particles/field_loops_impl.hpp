@@ -157,6 +157,44 @@ struct Advect {
 };
 
 template <class Real>
+struct AddLinear {
+  LinearArguments<Real> a;
+
+  MESOGEN_HOST_DEVICE void operator()(Index i) const {
+    const Real share = a.divisor ? Real(1) / a.divisor(i) : Real(1);
+    for (int c = 0; c < a.components; ++c) {
+      const Real spread = a.laplacian ? a.diffusion * a.laplacian(c, i) : Real(0);
+      a.rate(c, i) += share * (spread - a.damping * a.value(c, i));
+    }
+  }
+};
+
+template <class Real>
+struct StageOfField {
+  StageArguments<Real> a;
+  FieldView<const Real> laplacian;
+
+  MESOGEN_HOST_DEVICE void operator()(Index i) const {
+    const Real share = a.divisor ? Real(1) / a.divisor(i) : Real(1);
+    for (int c = 0; c < a.components; ++c)
+      a.before(c, i) =
+          a.next(a.latest(c, i), a.before(c, i), a.slope(c, i), laplacian ? laplacian(c, i) : Real(0), share);
+  }
+};
+
+template <class Real>
+struct ScaleField {
+  FieldView<const Real> from;
+  Real factor;
+  FieldView<Real> to;
+  int components;
+
+  MESOGEN_HOST_DEVICE void operator()(Index i) const {
+    for (int c = 0; c < components; ++c) to(c, i) = factor * from(c, i);
+  }
+};
+
+template <class Real>
 class FieldLoopsImpl final : public FieldLoops<Real> {
  public:
   FieldLoopsImpl(const Space& space, Reductions& reductions) : space_(space), reductions_(reductions) {}
@@ -167,6 +205,15 @@ class FieldLoopsImpl final : public FieldLoops<Real> {
   void advect(const AdvectArguments<Real>& arguments, Index count) const override {
     dispatch(arguments.dimension,
              [&]<int Dim>() { for_each(space_, count, Advect<Real, Dim>{arguments}, "advection"); });
+  }
+  void add_linear(const LinearArguments<Real>& arguments, Index count) const override {
+    for_each(space_, count, AddLinear<Real>{arguments}, "linear terms");
+  }
+  void stage(const StageArguments<Real>& arguments, FieldView<const Real> laplacian, Index count) const override {
+    for_each(space_, count, StageOfField<Real>{arguments, laplacian}, "a stage of a step");
+  }
+  void scale(FieldView<const Real> from, Real factor, FieldView<Real> to, int components, Index count) const override {
+    for_each(space_, count, ScaleField<Real>{from, factor, to, components}, "scaling a field");
   }
   Reduction advance(const AdvanceArguments<Real>& arguments, Index count) const override {
     switch (arguments.components) {

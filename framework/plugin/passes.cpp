@@ -101,4 +101,16 @@ Pass& PassList::pass(std::string_view name, Phase phase) {
   return pass;
 }
 
+LinearTerm& PassList::diffusion(std::string_view field, std::string_view rate, double coefficient, StepCause cause,
+                                std::string_view rule) {
+  return linear_terms_.emplace_back(LinearTerm{LinearTerm::Kind::diffusion, std::string(field), std::string(rate),
+                                               coefficient, cause, std::string(rule)});
+}
+
+LinearTerm& PassList::damping(std::string_view field, std::string_view rate, double coefficient, StepCause cause,
+                              std::string_view rule) {
+  return linear_terms_.emplace_back(LinearTerm{LinearTerm::Kind::damping, std::string(field), std::string(rate),
+                                               coefficient, cause, std::string(rule)});
+}
+
 }  // namespace mesogen

@@ -15,7 +15,7 @@ namespace mesogen {
 namespace {
 
 // How far a particle may go in one step, in spacings, before the run has plainly run away.
-constexpr double farthest = 0.5;
+double farthest(const Scene& scene) { return scene.stabilised_steps ? 1.0 : 0.5; }
 
 // The automatic step follows a flow that runs away and would never let it arrive: it is given up when motion asks for
 // steps this much shorter than the plugins' limits.
@@ -123,10 +123,11 @@ void Guard::check_finite(const Motion& motion) const {
 }
 
 void Guard::check_speed(const Motion& motion) const {
-  if (!(motion.fastest * state_.step_size > farthest * state_.scene.spacing)) return;
+  const double most = farthest(state_.scene);
+  if (!(motion.fastest * state_.step_size > most * state_.scene.spacing)) return;
   const Index place = farthest_outside(*integrator_.velocity(), state_.particles.count(), 0.0, 0.0);
   stop("ran away: the largest speed, " + rounded_text(motion.fastest) + " " + unit("m/s") + " of " + particle(place) +
-           ", carries it over " + rounded_text(farthest) + " spacings in one step",
+           ", carries it over " + rounded_text(most) + (most == 1.0 ? " spacing" : " spacings") + " in one step",
        calmer());
 }
 

@@ -55,7 +55,8 @@ void order_step(SetupContext& context) {
   std::vector<Reader> readers;
   for (const auto& member : setup.observers) readers.push_back({"observers." + member.instance, member.fields});
   readers.push_back({"output.fields", setup.output_fields});
-  setup.graph = std::make_unique<StepGraph>(setup.catalogue, members, readers, *setup.backend);
+  setup.graph =
+      std::make_unique<StepGraph>(setup.catalogue, members, readers, *setup.backend, setup.scene.stabilised_steps);
 }
 
 bool all_made(const Setup& setup) {

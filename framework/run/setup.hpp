@@ -65,6 +65,9 @@ struct MESOGEN_EXPORT Setup {
 /// What an initial condition of a setup sets.
 InitialState initial_state(const Setup::InitialMember& member, const Setup& setup);
 
+/// Largest eigenvalue of minus the Laplacian of a run on a lattice, 1/m2.
+double largest_laplacian(const Setup& setup);
+
 /// Asks a plugin for its limits on the step. Throws Error(plugin_refused) if one is not above 0.
 void add_step_limits(const Setup::PhysicsMember& member, const Setup& setup, StepLimits& limits);
 

@@ -41,6 +41,9 @@ void describe_scene(SetupContext& context);
 void declare_physics(SetupContext& context);
 void limit_step(SetupContext& context);
 
+// setup_stepping.cpp: what plugins declare, for explicit or for stabilised steps.
+void choose_stepping(SetupContext& context);
+
 // setup_fields.cpp: the fields that there are, and those that are stored.
 void collect_fields(SetupContext& context);
 void choose_output(SetupContext& context);

@@ -64,9 +64,7 @@ void describe_scene(SetupContext& context) {
   scene.smoothing_length = setup.smoothing.smoothing_length;
   scene.support = setup.smoothing.radius();
   scene.particle_count = setup.arrangement.count;
-  scene.diffusion_step =
-      diffusion_margin * stable_rate(source.time.scheme) /
-      sph::largest_laplacian(setup.smoothing, scene.spacing, scene.dimension, source.laplacian == "consistent");
+  scene.diffusion_step = diffusion_margin * stable_rate(source.time.scheme) / largest_laplacian(setup);
   publish_physics(context);
   scene.scales = {};  // what was told of an incomplete scene does not count: all tell it again
   if (context.additions.scene) context.additions.scene(scene);
@@ -78,12 +76,7 @@ void describe_scene(SetupContext& context) {
 
 void declare_physics(SetupContext& context) {
   Setup& setup = context.setup;
-  const Case& source = setup.source;
-  for (std::size_t n = 0; n < setup.physics.size(); ++n)
-    context.attempt(source.physics[n], [&] {
-      auto& member = setup.physics[n];
-      call_plugin(member.type, "declare()", [&] { member.plugin->declare(setup.scene, member.passes); });
-    });
+  choose_stepping(context);
   for (const auto& member : setup.physics)
     for (const auto& [name, value] : member.passes.constants()) setup.scene.constants[name] = value;
 }
@@ -93,6 +86,11 @@ void limit_step(SetupContext& context) {
   const Case& source = setup.source;
   for (std::size_t n = 0; n < setup.physics.size(); ++n)
     context.attempt(source.physics[n], [&] { add_step_limits(setup.physics[n], setup, setup.limits); });
+}
+
+double largest_laplacian(const Setup& setup) {
+  return sph::largest_laplacian(setup.smoothing, setup.scene.spacing, setup.scene.dimension,
+                                setup.source.laplacian == "consistent");
 }
 
 InitialState initial_state(const Setup::InitialMember& member, const Setup& setup) {
@@ -123,6 +121,8 @@ void add_step_limits(const Setup::PhysicsMember& member, const Setup& setup, Ste
                                                 ": it must be above 0");
     limits.add(limit.cause, limit.rule, seconds);
   }
+  for (const LinearTerm& term : member.passes.linear_terms())
+    if (term.limits_step && term.coefficient > 0.0) limits.add(term.cause, term.rule, term.longest_step(setup.scene));
 }
 
 }  // namespace mesogen

@@ -1,6 +1,8 @@
 #include "run/stepper.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "run/state_at_start.hpp"
 #include "run/state_checkpoint.hpp"
@@ -17,6 +19,10 @@ constexpr std::int64_t steps_between_orderings = 32;
 
 const std::string acceleration_name = "largest acceleration";  // in checkpoints
 
+bool diffuses(const std::vector<LinearTerms>& staged) {
+  return std::ranges::any_of(staged, [](const LinearTerms& terms) { return terms.diffusion > 0.0; });
+}
+
 TimeScheme time_scheme(const std::string& name) {
   return name == "midpoint" ? TimeScheme::midpoint : TimeScheme::half_steps;
 }
@@ -28,9 +34,11 @@ Stepper::Stepper(Setup& setup)
       state_(state_at_start(setup)),
       derived_(*state_, setup.catalogue, setup.graph->derived_for_integration(), setup.graph->derived_for_readers(),
                DerivedFields::Form{.consistent_laplacian = setup.source.laplacian == "consistent",
-                                   .particles_move = moves(setup.graph->transport())}),
+                                   .particles_move = moves(setup.graph->transport()),
+                                   .stages = diffuses(setup.graph->staged())}),
       executor_(*state_, *setup.graph, derived_),
-      integrator_(*state_, setup.catalogue, setup.graph->transport(), time_scheme(setup.source.time.scheme)),
+      stages_(*state_, derived_, setup.graph->staged(), largest_laplacian(setup)),
+      integrator_(*state_, setup.catalogue, setup.graph->transport(), time_scheme(setup.source.time.scheme), stages_),
       control_(setup.scene, setup.limits, setup.source.time.step, setup.source.time.factor),
       guard_(*state_, setup.catalogue, *setup.graph, integrator_, control_),
       watches_(setup, *state_, integrator_) {}
@@ -39,7 +47,9 @@ void Stepper::start() {
   state_->step_size = 0.0;
   keep_order();
   const std::vector<bool> all(setup_.observers.size() + 1, true);
-  for (const Phase phase : {Phase::begin, Phase::rates, Phase::end}) executor_.run(phase, all);
+  for (const Phase phase : {Phase::begin, Phase::rates}) executor_.run(phase, all);
+  integrator_.start();
+  executor_.run(Phase::end, all);
   motion_.fastest = integrator_.fastest();
   motion_.largest_acceleration = integrator_.largest_acceleration();
 }
@@ -80,7 +90,10 @@ void Stepper::advance(const Step& step, const std::vector<bool>& reader_due) {
   keep_order();
   state_->time = begun + step_size / 2.0;
   executor_.run(Phase::begin, reader_due);
-  executor_.run(Phase::rates, reader_due);
+  std::function<void()> advance_velocity;
+  if (integrator_.stages_velocity())
+    advance_velocity = [&] { timed(integration_, [&] { integrator_.advance_velocity(step_size); }); };
+  executor_.run(Phase::rates, reader_due, advance_velocity);
   state_->order.return_to_integration();
   timed(integration_, [&] { motion_ = integrator_.correct(step_size); });
   state_->time = step.arrival;

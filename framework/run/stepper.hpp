@@ -66,6 +66,7 @@ class MESOGEN_EXPORT Stepper {
   std::unique_ptr<State> state_;
   DerivedFields derived_;
   Executor executor_;
+  Stages stages_;
   Integrator integrator_;
   StepControl control_;
   Guard guard_;

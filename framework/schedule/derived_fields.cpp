@@ -17,6 +17,9 @@ constexpr std::size_t most_components = 4;
 
 struct DerivedFields::Weights {
   virtual ~Weights() = default;
+  bool laplacian = false;
+  bool gradient = false;
+  std::uint64_t positions = 0;  // version of the neighbourhood that they belong to
 };
 
 template <class Real, int Dim>
@@ -57,6 +60,12 @@ DerivedFields::DerivedFields(State& state, const Catalogue& catalogue, const std
       alone.push_back(field);
     }
   }
+  // A device computes a weight faster than it reads one.
+  if (state_.backend.on_host() && (form_.stages || !form_.particles_move))
+    weights_ = dispatch(
+        state_.scene.precision, state_.scene.dimension,
+        []<class Real, int Dim>() -> std::unique_ptr<Weights> { return std::make_unique<WeightsOf<Real, Dim>>(); });
+  if (weights_) weights_->laplacian = form_.stages;
   add_passes(shared, for_integration.contains("correction"), true);
   for (const std::string& field : all)
     if (!for_integration.contains(field)) alone.push_back(field);
@@ -95,13 +104,12 @@ void DerivedFields::add_passes(const Wanted& wanted, bool correction, bool at_ea
       pass.counter.title += (pass.counter.title.empty() ? "" : ", ") + field;
     }
     pass.sources.assign(pass.components.size(), 0);
-    // A device computes a weight faster than it reads one.
-    const bool on_host = state_.backend.on_host();
-    if (on_host && at_each_step && !form_.particles_move && !pass.components.empty())
-      pass.weights = dispatch(
-          state_.scene.precision, state_.scene.dimension,
-          []<class Real, int Dim>() -> std::unique_ptr<Weights> { return std::make_unique<WeightsOf<Real, Dim>>(); });
-    pass.finding.title = "framework: weights of " + pass.counter.title;
+    pass.by_weights = weights_ && at_each_step && !form_.particles_move && !pass.components.empty();
+    for (const Component& component : pass.components) {
+      if (!pass.by_weights) continue;
+      weights_->laplacian = weights_->laplacian || component.laplacian != nullptr;
+      weights_->gradient = weights_->gradient || component.gradient != nullptr;
+    }
     pass.counter.title.insert(0, "framework: ");
     passes_.push_back(std::move(pass));
   }
@@ -164,23 +172,83 @@ void DerivedFields::run_pair_sums(PairPass& pass) {
   }
   wanted.consistent = form_.consistent_laplacian;
   const bool new_positions = pass.positions != state_.neighbourhood.version();
-  if (pass.correction != nullptr && (new_positions || !pass.weights)) wanted.correction = write(*pass.correction);
-  if (!pass.weights || wanted.correction) loops.derivatives(neighbours, state_.kernel, wanted);
-  if (!pass.weights) return;
-  auto& weights = static_cast<WeightsOf<Real, Dim>&>(*pass.weights).fixed;
-  if (new_positions) {
-    const Span span(pass.finding, state_.clock.trace);
-    sph::find_weights<Real, Dim>(neighbours, state_.kernel, wanted, weights);
+  if (pass.correction != nullptr && (new_positions || !pass.by_weights)) wanted.correction = write(*pass.correction);
+  if (!pass.by_weights || wanted.correction) loops.derivatives(neighbours, state_.kernel, wanted);
+  if (pass.by_weights) sph::derivatives<Real, Dim>(exec::Space{}, neighbours, weights(neighbours), wanted);
+}
+
+void DerivedFields::refresh_for_sums(Field& source) {
+  make("volume");
+  state_.boundary_values.refresh(state_.fields.at("volume"));
+  state_.boundary_values.refresh(source);
+}
+
+template <class Real>
+void DerivedFields::stage(Field& latest, exec::StageArguments<Real> arguments, Field& room) {
+  if (!weights_) laplacian(latest, room);
+  if (weights_) refresh_for_sums(latest);
+  // What stands at walls is made on the host: only now is there a pointer that holds.
+  arguments.latest = std::as_const(latest).view<Real>(exec::Side::device);
+  if (!weights_)
+    return state_.backend.fields<Real>().stage(arguments, std::as_const(room).view<Real>(exec::Side::device),
+                                               state_.particles.count());
+  const Span span(staging_, state_.clock.trace);
+  dispatch(state_.scene.dimension, [&]<int Dim>() {
+    Neighbours<Real, Dim> neighbours{};
+    state_.neighbourhood.fill(neighbours, exec::Side::host);
+    sph::stage<Real, Dim>(neighbours, weights(neighbours), arguments);
+  });
+}
+
+template void DerivedFields::stage(Field& latest, exec::StageArguments<float> arguments, Field& room);
+template void DerivedFields::stage(Field& latest, exec::StageArguments<double> arguments, Field& room);
+
+void DerivedFields::laplacian(Field& source, Field& result) {
+  refresh_for_sums(source);
+  const Span span(staging_, state_.clock.trace);
+  dispatch(state_.scene.precision, state_.scene.dimension,
+           [&]<class Real, int Dim>() { run_laplacian<Real, Dim>(source, result); });
+  state_.clock.end_of_work();
+  ++result.version;
+}
+
+template <class Real, int Dim>
+void DerivedFields::run_laplacian(Field& source, Field& result) {
+  constexpr auto device = exec::Side::device;
+  Neighbours<Real, Dim> neighbours{};
+  state_.neighbourhood.fill(neighbours, device);
+  sph::Derivatives<Real, Dim> wanted{};
+  wanted.volume = std::as_const(state_.fields.at("volume")).view<Real>(device);
+  wanted.consistent = form_.consistent_laplacian;
+  for (int c = 0; c < source.components(); ++c) {
+    const int n = wanted.count++;
+    wanted.source[n] = std::as_const(source).view<Real>(device).component(c);
+    wanted.laplacian[n] = result.view<Real>(device, exec::Access::read_write).component(c);
   }
-  sph::derivatives<Real, Dim>(exec::Space{}, neighbours, weights, wanted);
+  if (weights_) {
+    sph::derivatives<Real, Dim>(exec::Space{}, neighbours, weights(neighbours), wanted);
+  } else {
+    state_.backend.pairs<Real>().derivatives(neighbours, state_.kernel, wanted);
+  }
+}
+
+template <class Real, int Dim>
+const sph::FixedWeights<Real, Dim>& DerivedFields::weights(const Neighbours<Real, Dim>& neighbours) {
+  auto& fixed = static_cast<WeightsOf<Real, Dim>&>(*weights_).fixed;
+  if (weights_->positions == state_.neighbourhood.version()) return fixed;
+  const Span span(finding_, state_.clock.trace);
+  const FieldView<const Real> volume = std::as_const(state_.fields.at("volume")).view<Real>(exec::Side::device);
+  sph::find_weights<Real, Dim>(neighbours, state_.kernel,
+                               {volume, form_.consistent_laplacian, weights_->laplacian, weights_->gradient}, fixed);
+  weights_->positions = state_.neighbourhood.version();
+  return fixed;
 }
 
 std::vector<Counter> DerivedFields::counters() const {
   std::vector<Counter> all;
-  for (const PairPass& pass : passes_) {
-    all.push_back(pass.counter);
-    if (pass.weights) all.push_back(pass.finding);
-  }
+  for (const PairPass& pass : passes_) all.push_back(pass.counter);
+  if (weights_) all.push_back(finding_);
+  if (form_.stages) all.push_back(staging_);
   return all;
 }
 

@@ -13,15 +13,25 @@
 
 namespace mesogen {
 
+namespace sph {
+template <class Real, int Dim>
+struct FixedWeights;
+}
+namespace exec {
+template <class Real>
+struct StageArguments;
+}
+
 /// The fields that the framework offers: volume, correction, gradients and Laplacians. Each is made when asked for,
 /// and only if what it depends on has changed since. Those that the integration needs and whose sources keep still
 /// while rates are computed share their passes over the pairs. Where particles never move, derivatives that are made
-/// at every step are sums with weights that are found once.
+/// at every step are sums with weights that are found once; in stabilised steps, so are Laplacians of a step's stages.
 class MESOGEN_EXPORT DerivedFields {
  public:
   struct Form {
     bool consistent_laplacian = false;
     bool particles_move = true;
+    bool stages = false;  ///< laplacian() will be called many times in a step
   };
   DerivedFields(State& state, const Catalogue& catalogue, const std::set<std::string>& for_integration,
                 const std::vector<std::set<std::string>>& for_readers, const Form& form);
@@ -32,6 +42,12 @@ class MESOGEN_EXPORT DerivedFields {
   [[nodiscard]] bool has(const std::string& field) const { return pass_of_.contains(field); }
   /// Brings a derived field up to date.
   void make(const std::string& field);
+  /// The Laplacian of any field now, which is brought up to date at ghosts and walls; `result` has as many components.
+  void laplacian(Field& source, Field& result);
+  /// A stage of a stabilised step, with the Laplacian of its latest increments, which `arguments` need not have yet.
+  /// `room`: for that Laplacian.
+  template <class Real>
+  void stage(Field& latest, exec::StageArguments<Real> arguments, Field& room);
 
   [[nodiscard]] std::vector<Counter> counters() const;
 
@@ -42,18 +58,17 @@ class MESOGEN_EXPORT DerivedFields {
     Field* gradient;   // may be null
     Field* laplacian;  // may be null
   };
-  struct Weights;  // of particles that keep still, in the run's precision and dimension
+  struct Weights;  // of pairs, in the run's precision and dimension
   template <class Real, int Dim>
   struct WeightsOf;
   struct PairPass {
     std::vector<Component> components;
     Field* correction = nullptr;
     bool volume = false;
-    std::unique_ptr<Weights> weights;    // null: computed anew at each run
+    bool by_weights = false;             // otherwise computed anew at each run
     std::uint64_t positions = 0;         // version of the neighbourhood when last run
     std::vector<std::uint64_t> sources;  // versions of the sources then
     Counter counter;
-    Counter finding;  // of weights
   };
   using Wanted = std::map<std::string, std::pair<bool, bool>>;  // source -> gradient, Laplacian
 
@@ -62,11 +77,19 @@ class MESOGEN_EXPORT DerivedFields {
   void run(PairPass& pass);
   template <class Real, int Dim>
   void run_pair_sums(PairPass& pass);
+  void refresh_for_sums(Field& source);
+  template <class Real, int Dim>
+  void run_laplacian(Field& source, Field& result);
+  template <class Real, int Dim>
+  const sph::FixedWeights<Real, Dim>& weights(const Neighbours<Real, Dim>& neighbours);
 
   State& state_;
   Form form_;
   std::vector<PairPass> passes_;
   std::map<std::string, std::vector<std::size_t>> pass_of_;
+  std::unique_ptr<Weights> weights_;  // null: none are kept
+  Counter finding_{"framework: weights of pairs"};
+  Counter staging_{"framework: Laplacians of stages"};
 };
 
 }  // namespace mesogen

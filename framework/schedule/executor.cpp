@@ -106,7 +106,7 @@ Executor::Executor(State& state, StepGraph& graph, DerivedFields& derived)
       }));
 }
 
-void Executor::run(Phase phase, const std::vector<bool>& reader_due) {
+void Executor::run(Phase phase, const std::vector<bool>& reader_due, const std::function<void()>& advance_velocity) {
   const auto& order = graph_.order(phase);
   std::vector<std::size_t> due;
   for (const std::size_t n : order) {
@@ -122,12 +122,17 @@ void Executor::run(Phase phase, const std::vector<bool>& reader_due) {
   std::set<std::string_view> begun;
   for (const std::size_t n : due)
     for (const std::string& field : graph_.passes()[n].pass.write_list) begun.insert(field);
-  for (const std::size_t n : due) {
+  const auto run_one = [&](std::size_t n) {
     ScheduledPass& scheduled = graph_.passes()[n];
     for (const std::string& field : scheduled.pass.accumulate_list)
       if (begun.insert(field).second) state_.fields.at(field).fill_zero();
     run(scheduled);
-  }
+  };
+  const auto rest = std::stable_partition(
+      due.begin(), due.end(), [&](std::size_t n) { return !advance_velocity || graph_.before_velocity(n); });
+  std::for_each(due.begin(), rest, run_one);
+  if (advance_velocity) advance_velocity();
+  std::for_each(rest, due.end(), run_one);
 }
 
 void Executor::run_alone(ScheduledPass& scheduled) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -19,7 +20,8 @@ class MESOGEN_EXPORT Executor {
   Executor(State& state, StepGraph& graph, DerivedFields& derived);
 
   /// All passes of a phase that the integration needs, or a reader that is due at the end of this step.
-  void run(Phase phase, const std::vector<bool>& reader_due);
+  /// `advance_velocity` is called after the passes of StepGraph::before_velocity, if there are such.
+  void run(Phase phase, const std::vector<bool>& reader_due, const std::function<void()>& advance_velocity = {});
   /// One pass by itself, one of the graph's passes; what it adds to keeps its value before.
   void run_alone(ScheduledPass& scheduled);
   /// Brings what a reader reads up to date, as far as that follows from the state alone: derived fields, and what

@@ -36,7 +36,7 @@ struct StepGraph::Need {
 };
 
 StepGraph::StepGraph(const Catalogue& catalogue, const std::vector<Member>& members, const std::vector<Reader>& readers,
-                     const Backend& backend)
+                     const Backend& backend, bool stabilised)
     : catalogue_(catalogue), readers_(readers) {
   for (const Member& member : members) {
     for (const Pass& pass : member.passes->passes()) {
@@ -56,6 +56,7 @@ StepGraph::StepGraph(const Catalogue& catalogue, const std::vector<Member>& memb
     transport_ = member.passes->transport();
   }
   add_advection(backend);
+  add_linear_terms(members, backend, stabilised);
   check_fields();
   check_writers();
 
@@ -68,6 +69,10 @@ StepGraph::StepGraph(const Catalogue& catalogue, const std::vector<Member>& memb
     }
   for (const std::string& field : {transport_.velocity, transport_.shift})
     if (!field.empty()) follow(field, "the time integration", integration);
+  for (const LinearTerms& terms : staged_) {
+    if (terms.diffusion > 0.0) follow("volume", "the time integration", integration);
+    if (!terms.divisor.empty()) follow(terms.divisor, "the time integration", integration);
+  }
   for (ScheduledPass& scheduled : passes_)
     if (scheduled.pass.at_every_step) mark(scheduled, integration);
   if (sums_pairs())
@@ -96,14 +101,40 @@ void StepGraph::add_advection(const Backend& backend) {
     const Advance advance = entry.declaration.advance;
     const bool carried = advance == Advance::predicted && name != transport_.velocity;
     if (!has_rate(advance) || !(carried || transport_.fixed)) continue;
-    ScheduledPass scheduled;
-    scheduled.owner = "framework";
-    scheduled.pass = advection_pass(entry.declaration, transport_, backend);
-    scheduled.on_device = true;
-    scheduled.for_observer.assign(readers_.size(), false);
-    scheduled.counter = {scheduled.title()};
-    passes_.push_back(std::move(scheduled));
+    add_own("framework", advection_pass(entry.declaration, transport_, backend));
   }
+}
+
+void StepGraph::add_linear_terms(const std::vector<Member>& members, const Backend& backend, bool stabilised) {
+  std::vector<LinearTerms> all;
+  for (const Member& member : members) mesogen::add_linear_terms(member.instance, *member.passes, all);
+  for (const LinearTerms& terms : all) {
+    if (!stabilised || !can_be_staged(terms, catalogue_)) {
+      add_own(terms.owner, linear_pass(terms, catalogue_, backend));
+      continue;
+    }
+    staged_.push_back(terms);
+    // So that there is a rate, and a new one at each step, where nobody else adds to it.
+    Pass pass;
+    pass.name = "stages of " + terms.field;
+    pass.accumulates({terms.rate}).run([](const PassContext&) {});
+    add_own(terms.owner, std::move(pass));
+  }
+}
+
+// A pass of the framework, by itself or for a plugin.
+void StepGraph::add_own(const std::string& owner, Pass pass) {
+  ScheduledPass scheduled;
+  scheduled.owner = owner;
+  scheduled.pass = std::move(pass);
+  scheduled.on_device = true;
+  scheduled.for_observer.assign(readers_.size(), false);
+  scheduled.counter = {scheduled.title()};
+  passes_.push_back(std::move(scheduled));
+}
+
+bool StepGraph::stages_velocity() const {
+  return std::ranges::any_of(staged_, [&](const LinearTerms& terms) { return terms.field == transport_.velocity; });
 }
 
 bool StepGraph::makes_any(const ScheduledPass& scheduled, const std::set<std::string>& fields) const {
@@ -253,7 +284,7 @@ void StepGraph::order_phase(Phase phase) {
     if (passes_[n].pass.phase == phase && !passes_[n].pruned()) members.push_back(n);
 
   // before[a] holds what must run before a, and through which field.
-  std::map<std::size_t, std::map<std::size_t, std::string>> before;
+  Before before;
   for (const std::size_t a : members) {
     for (const std::size_t b : members) {
       if (a == b) continue;
@@ -293,6 +324,23 @@ void StepGraph::order_phase(Phase phase) {
     }
     done.insert(*ready);
     order.push_back(*ready);
+  }
+  if (phase == Phase::rates && stages_velocity()) find_before_velocity(members, before);
+}
+
+// Who makes what the stages of the velocity need, and all that these need.
+void StepGraph::find_before_velocity(const std::vector<std::size_t>& members, const Before& before) {
+  std::vector<std::size_t> open;
+  for (const LinearTerms& terms : staged_)
+    if (terms.field == transport_.velocity)
+      for (const std::size_t n : members)
+        if (makes(passes_[n], terms.rate) || makes(passes_[n], terms.divisor)) open.push_back(n);
+  while (!open.empty()) {
+    const std::size_t n = open.back();
+    open.pop_back();
+    if (!before_velocity_.insert(n).second) continue;
+    if (const auto at = before.find(n); at != before.end())
+      for (const auto& [needed, field] : at->second) open.push_back(needed);
   }
 }
 

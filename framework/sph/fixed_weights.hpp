@@ -3,6 +3,7 @@
 #include <array>
 #include <vector>
 
+#include "particles/field_loops.hpp"
 #include "sph/standard_passes.hpp"
 
 /// Derivatives for particles that keep still: the sums of `derivatives` with weights that are found once,
@@ -19,11 +20,23 @@ struct FixedWeights {
   std::array<std::vector<Real>, Dim> gradient;  ///< 1/m; empty: not wanted
 };
 
-/// Finds the weights for what `wanted` names, of which only volume, consistent, and which of gradients and Laplacians
-/// are wanted at all counts.
+/// Which weights are wanted.
+template <class Real>
+struct WeightsWanted {
+  FieldView<const Real> volume;  ///< of particles, m^Dim
+  bool consistent = false;       ///< see Derivatives
+  bool laplacian = false;
+  bool gradient = false;
+};
+
 template <class Real, int Dim>
 MESOGEN_EXPORT void find_weights(const Neighbours<Real, Dim>& neighbours, const SmoothingKernel& kernel,
-                                 const Derivatives<Real, Dim>& wanted, FixedWeights<Real, Dim>& weights);
+                                 const WeightsWanted<Real>& wanted, FixedWeights<Real, Dim>& weights);
+
+/// One stage of a stabilised step, with the Laplacian of its latest increment.
+template <class Real, int Dim>
+MESOGEN_EXPORT void stage(const Neighbours<Real, Dim>& neighbours, const FixedWeights<Real, Dim>& weights,
+                          const exec::StageArguments<Real>& arguments);
 
 /// The same numbers as `derivatives`, but for rounding; no correction. The bits do not depend on the number of threads.
 template <class Real, int Dim>

@@ -35,13 +35,14 @@ double largest_length(const Backend& backend, const Field* field, Index count) {
 
 }  // namespace
 
-Integrator::Integrator(State& state, const Catalogue& catalogue, const Transport& transport, TimeScheme scheme)
-    : state_(state), scheme_(scheme), fixed_(transport.fixed) {
+Integrator::Integrator(State& state, const Catalogue& catalogue, const Transport& transport, TimeScheme scheme,
+                       Stages& stages)
+    : state_(state), scheme_(scheme), stages_(stages), fixed_(transport.fixed) {
   for (const auto& [name, entry] : catalogue.all()) {
     if (!has_rate(entry.declaration.advance)) continue;
     Field& field = state.fields.at(name);
     Advanced one{&field, &state.fields.at(entry.declaration.rate), entry.declaration.advance == Advance::predicted,
-                 nullptr};
+                 nullptr, stages.of(name)};
     if (one.predicted && scheme == TimeScheme::midpoint) one.start = &state.add_copy_in_double(field);
     advanced_.push_back(one);
     if (name == transport.velocity) acceleration_ = one.rate;
@@ -85,12 +86,24 @@ std::optional<exec::Reduction> Integrator::move(double by, double shift_by) {
   return dispatch(state_.scene.precision, [&]<class Real>() { return move<Real>(by, shift_by); });
 }
 
+void Integrator::start() {
+  for (const Advanced& one : advanced_)
+    if (one.in_stages != nullptr) stages_.take(*one.in_stages, 0.0);
+}
+
+// How far a field is predicted, s. A velocity in stages is not: it is found before anybody needs its middle. Nor is a
+// stiff field in the first step, because its rate at the start tells nothing of the middle.
+double Integrator::prediction(const Advanced& one, double step_size) const {
+  const bool unknown = one.in_stages != nullptr && (one.field == velocity_ || state_.step == 0);
+  return unknown ? 0.0 : step_size / 2.0;
+}
+
 void Integrator::predict(double step_size) {
   for (const Advanced& one : advanced_) {
     if (!one.predicted) continue;
     // The prediction is written where the start of the last step was.
     if (one.start != nullptr) one.start->exchange_master(*one.field);
-    advance(one, one.start != nullptr ? *one.start : *one.field, step_size / 2.0);
+    advance(one, one.start != nullptr ? *one.start : *one.field, prediction(one, step_size));
   }
   if (way_to_midpoint_ == nullptr) {
     move(step_size / 2.0, 0.0);
@@ -117,8 +130,23 @@ exec::Reduction Integrator::move_by_passes(double step_size, bool to_midpoint) {
   return dispatch(state_.scene.precision, [&]<class Real>() { return move_by_passes<Real>(step_size, to_midpoint); });
 }
 
+const Integrator::Advanced* Integrator::staged_velocity() const {
+  for (const Advanced& one : advanced_)
+    if (one.field == velocity_ && one.in_stages != nullptr) return &one;
+  return nullptr;
+}
+
+bool Integrator::stages_velocity() const { return staged_velocity() != nullptr; }
+
+void Integrator::advance_velocity(double step_size) {
+  const Advanced* const velocity = staged_velocity();
+  if (velocity == nullptr) return;
+  stages_.take(*velocity->in_stages, step_size);
+  advance(*velocity, *velocity->start, step_size / 2.0);
+}
+
 Motion Integrator::correct(double step_size) {
-  const bool midpoint = scheme_ == TimeScheme::midpoint;
+  const bool midpoint = scheme_ == TimeScheme::midpoint && !stages_velocity();
   // Where passes advance the velocity, what it will be is found in the phase that follows: the largest is that of the
   // midpoint.
   const bool by_passes = way_to_midpoint_ != nullptr;
@@ -131,7 +159,11 @@ Motion Integrator::correct(double step_size) {
   std::vector<exec::Reduction> largest;
   for (const Advanced& one : advanced_) {
     Field& from = one.start != nullptr ? *one.start : *one.field;
-    largest.push_back(advance(one, from, one.predicted && !midpoint ? step_size / 2.0 : step_size));
+    if (one.in_stages != nullptr && one.field != velocity_) {
+      if (one.start != nullptr) advance(one, from, 0.0);
+      stages_.take(*one.in_stages, step_size);
+    }
+    largest.push_back(advance(one, from, one.start == nullptr && one.predicted ? step_size / 2.0 : step_size));
   }
   if (!by_passes && !midpoint) nowhere = move(step_size / 2.0, step_size);
   const Backend& backend = state_.backend;

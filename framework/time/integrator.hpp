@@ -7,6 +7,7 @@
 #include "mesogen/export.hpp"
 #include "schedule/catalogue.hpp"
 #include "schedule/state.hpp"
+#include "time/stages.hpp"
 
 namespace mesogen {
 
@@ -34,14 +35,27 @@ enum class TimeScheme {
 /// Advances positions and integrated fields: see TimeScheme. `midpoint` fields (see Advance) take f = f + dt df/dt in
 /// either scheme, and the shift is added to positions at the end of the step. Sums are kept in double.
 ///
+/// Stabilised steps, with TimeScheme::midpoint, take linear terms of some fields in stages (see Stages). The velocity u
+/// is then advanced first, by its mean rate over the step:
+///
+///     r* = r + dt/2 u,   u' = u + dt (mean rate),   r' = r* + dt/2 u'
+///
+/// Passes that its acceleration needs see u, all others the mean (u + u') / 2.
+///
 /// A velocity that passes bring from step to step (Advance::by_passes) is no sum of rates: r* = r + dt/2 u with the
 /// velocity that the last step left, r = r + dt u with the one that passes made at the midpoint (the explicit midpoint
 /// method).
 class MESOGEN_EXPORT Integrator {
  public:
-  Integrator(State& state, const Catalogue& catalogue, const Transport& transport, TimeScheme scheme);
+  /// `stages`: of stabilised steps; it must outlive the integrator.
+  Integrator(State& state, const Catalogue& catalogue, const Transport& transport, TimeScheme scheme, Stages& stages);
 
+  /// Completes the rates at the start of a run by the terms that are taken in stages.
+  void start();
   void predict(double step_size);
+  /// In a stabilised step, once the acceleration is known; does nothing to any other velocity.
+  void advance_velocity(double step_size);
+  [[nodiscard]] bool stages_velocity() const;
   Motion correct(double step_size);
 
   /// What a step left where passes advance the velocity, once they have.
@@ -72,9 +86,12 @@ class MESOGEN_EXPORT Integrator {
     Field* field;
     Field* rate;
     bool predicted;
-    Field* start;  // with TimeScheme::midpoint: a predicted field at the start of the step
+    Field* start;                  // with TimeScheme::midpoint: a predicted field at the start of the step
+    const LinearTerms* in_stages;  // null: none
     double largest = 0.0;
   };
+  [[nodiscard]] const Advanced* staged_velocity() const;
+  [[nodiscard]] double prediction(const Advanced& one, double step_size) const;
   // f = from + by * rate; see FieldLoops::advance for what is found.
   template <class Real>
   exec::Reduction advance(const Advanced& one, Field& from, double by);
@@ -92,6 +109,7 @@ class MESOGEN_EXPORT Integrator {
 
   State& state_;
   TimeScheme scheme_;
+  Stages& stages_;
   bool fixed_;  // particles stay
   std::vector<Advanced> advanced_;
   Field* velocity_ = nullptr;

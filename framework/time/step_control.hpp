@@ -11,7 +11,8 @@
 namespace mesogen {
 
 /// Chooses the step: the smallest of the plugins' limits and of those of motion,
-/// 0.25 sqrt(h / |a|max) and 0.2 dx / |u|max, times the case's factor; or the case's own step.
+/// 0.25 sqrt(h / |a|max) and 0.2 dx / |u|max (stabilised steps: 0.5 dx / |u|max), times the case's factor; or the
+/// case's own step.
 class MESOGEN_EXPORT StepControl {
  public:
   StepControl(const Scene& scene, StepLimits limits, std::optional<double> fixed, double factor);
@@ -33,6 +34,7 @@ class MESOGEN_EXPORT StepControl {
  private:
   double spacing_;
   double smoothing_length_;
+  double way_;  // the longest of a particle in a step, in spacings
   StepLimits limits_;
   std::optional<double> fixed_;
   double factor_;

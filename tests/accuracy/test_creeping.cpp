@@ -112,7 +112,8 @@ TEST(CreepingChannel, LagsByTheRatioOfRelaxationToGrowth) {
 /// slope.
 double error_beside_planar_walls(int across) {
   CaseText text = channel(across, 0.0, "relaxation_ratio = 200");
-  text.section("domain",
+  text.section("time", "end = 1.0\nstepping = \"explicit\"")
+      .section("domain",
                fmt::format("size = [{:.17g}, {:.17g}]\nboundary = {{ type = \"walls\", anchoring = \"planar\" }}",
                            12.0 * width / across, width))
       .section("director",
@@ -138,6 +139,7 @@ double speed_against_pressure() {
   text.flow(mu, "inertia = false")
       .nematic(0.4, 0.7, 0.02)
       .active(zeta)
+      .section("time", "end = 1.0\nstepping = \"explicit\"")
       .section("director", fmt::format("type = \"modes\"\nangle = 45.0\nmodes = [[2, 0, {}, 0.0]]", amplitude));
   CaseRun run(text);
   run.run_to(1.0);

@@ -25,7 +25,7 @@ REFUSED = {
     "null_summary": r"its descriptor lacks a version, a summary or a factory",
 }
 SCENE = CASE.replace("[output]", '[physics.bad]\ntype = "{name}"\n{keys}\n[output]').replace("{ A", "{{ A").replace(
-    "0.5 }", "0.5 }}")
+    "0.5 }", "0.5 }}").replace("[time]", '[time]\nstepping = "explicit"')
 PLACE = r"case\.toml:\d+:\d+: physics\.bad: "
 
 

@@ -136,7 +136,7 @@ class Check(CommandTest):
 
     def test_advice_with_what_following_it_changes(self):
         case = self.write_case()
-        settings = "time.factor=0.5", "run.precision=double"
+        settings = "time.factor=0.5", "time.stepping=explicit", "run.precision=double"
         arguments = [word for setting in settings for word in ("--set", setting)]
         out, _ = self.mesogen("check", case, "--quick", *arguments)
         self.assertRegex(out, r"(?m)^advice\n(?:.*\n)*  the step is 0\.5 of the stability limit\n"

@@ -175,7 +175,6 @@ class Reference(CommandTest):
                      "with them the rounding |",
                      "| `viscosity` | number | Pa s | > 0 | required | mu: dynamic viscosity |",
                      "| `order_tensor_rate` | order tensor | 1/s | DQ/Dt | |",
-                     "| friction | rates | `velocity`, `density` | | | | `acceleration` |",
                      "| `v_rms` | one number | m/s | root of the mean square velocity, sqrt(<u.u>) |",
                      "### twin 1.0.0"):
             self.assertIn("\n" + line + "\n", out)

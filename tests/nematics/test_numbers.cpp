@@ -108,7 +108,8 @@ TEST(DimensionlessNumbers, OfACreepingFlow) {
       .section("director", "type = \"uniform\"")
       .flow(2.0 / 3.0, "inertia = false")
       .nematic(0.4, 0.7, 0.02)
-      .active(0.05);
+      .active(0.05)
+      .section("time", "end = 1.0\nstepping = \"explicit\"");
   const Numbers found = numbers_of(text);
   const double k2 = 0.394784176;  // (2 pi / 10 m)^2
   const double artificial = std::pow(2.0 / 3.0 * k2 + 0.01, 2) / (0.05 * 1.35 * k2) / 20.0;

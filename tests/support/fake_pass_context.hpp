@@ -80,6 +80,8 @@ class PhysicsUnderTest {
   }
   [[nodiscard]] std::map<std::string, double> limits(const Scene& scene) const {
     std::map<std::string, double> all;
+    for (const LinearTerm& term : passes_.linear_terms())
+      all[std::string(to_string(term.cause)) + ": " + term.rule] = term.longest_step(scene);
     for (const PassList::Limit& limit : passes_.step_limits())
       all[std::string(to_string(limit.cause)) + ": " + limit.rule] = limit.seconds(scene);
     return all;

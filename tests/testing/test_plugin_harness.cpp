@@ -127,7 +127,7 @@ coefficient = 0.25
 [time]
 end = 1.0)");
   harness.set("density", {0.5});
-  harness.run("physics.drag: friction");
+  harness.run("physics.drag: damping of velocity");
   EXPECT_EQ(harness.particles(), 200);
   EXPECT_DOUBLE_EQ(harness.value("acceleration", 0), -0.25);
 }
@@ -135,7 +135,7 @@ end = 1.0)");
 TEST(PluginHarness, ASinglePassAddsToWhatWasSet) {
   auto harness = friction();
   harness.set("velocity", {1.0, 0.0}).set("density", {0.6}).set("acceleration", {10.0, 0.0});
-  harness.run("friction");
+  harness.run("damping of velocity");
   EXPECT_DOUBLE_EQ(harness.value("acceleration", 0), 9.0);
   harness.run(Phase::rates);
   EXPECT_DOUBLE_EQ(harness.value("acceleration", 0), -1.0) << "a step starts from zero";
@@ -157,7 +157,8 @@ TEST(PluginHarness, SaysWhatIsWrong) {
             std::string::npos);
   EXPECT_EQ(error_of([] { PluginHarness(PluginKind::physics, "friction", "coefficient = -1.0").start(); }),
             "the test's case:16:15: physics.tested.coefficient: must be >= 0 kg/(m3 s), but is -1.0");
-  EXPECT_EQ(error_of([] { friction().run("drag"); }), "there is no pass 'drag' in this scene (there are: friction)");
+  EXPECT_EQ(error_of([] { friction().run("drag"); }),
+            "there is no pass 'drag' in this scene (there are: damping of velocity)");
   EXPECT_EQ(error_of([] { (void)friction().values("speed"); }),
             "this scene has no field 'speed' (it has: acceleration, correction, density, density_gradient, "
             "density_laplacian, velocity, velocity_gradient, velocity_laplacian, volume)");

@@ -3,6 +3,9 @@
 // On a device nothing is to be gained: it computes a kernel faster than it reads a weight.
 #ifndef __CUDACC__
 
+#include <algorithm>
+
+#include "mesogen/exec/sum_across.hpp"
 #include "mesogen/sph/pair_sum.hpp"
 #include "sph/passes/weighed_pairs.hpp"
 
@@ -10,41 +13,149 @@ namespace mesogen::sph {
 
 namespace {
 
-template <class Real, int Dim, class Fit, class Kernel>
+template <class Real>
+[[gnu::always_inline]] inline exec::Pack<Real> load(const Real* from) {
+  exec::Pack<Real> lane;
+  exec::load(from, lane);
+  return lane;
+}
+
+/// Weights of the pairs of a particle, by the places of their packs in its blocks.
+template <class Real, int Dim, class Fit>
 struct WeightLoop {
   using Lane = exec::Pack<Real>;
+  using Source = WeighedPairs<Real, Dim>;
   Neighbours<Real, Dim> neighbours;
-  Pairs<Real, Dim, Kernel> pairs;
+  Source source;
   Fit fit;
-  FieldView<const Real> volume;
   Real* laplacian;
   Real* gradient[Dim];
 
   void operator()(Index i) const {
+    typename Source::Kept kept;
+    source.keep(i, kept);
     Lane moments[Fit::sum_count] = {};
-    pairs.visit(i, [&](const auto& pair) { fit.add(weighed<Real, Dim>(pair, volume), moments); });
+    source.visit(
+        i, kept, [&](const auto& p, Index) __attribute__((always_inline)) { fit.add(p, moments); });
     Real total[Fit::sum_count];
     exec::sum_lanes(moments, total);
     Real weight[Fit::weight_count];
     fit.solve(total, weight);
-    const auto centre = pairs.place(i);
-    for (std::int64_t block = neighbours.block_begin[i]; block < neighbours.block_begin[i + 1]; ++block) {
-      pairs.visit_block(centre, neighbours.block[block], [&](int first, const auto& pair) {
-        const auto p = weighed<Real, Dim>(pair, volume);
-        const std::int64_t lane = block * NeighbourBlock::width<Real> + first;
-        Lane slope[Dim];
-        for (int d = 0; d < Dim; ++d) slope[d] = p.slope * p.separation[d];
-        if (laplacian != nullptr) exec::store(fit.laplacian(p, slope, weight), laplacian + lane);
-        for (int a = 0; a < Dim; ++a) {
-          if (gradient[a] == nullptr) continue;
-          Lane component(Real(0));
-          for (int b = 0; b < Dim; ++b) component += slope[b] * weight[Fit::correction + a * Dim + b];
-          exec::store(component, gradient[a] + lane);
-        }
-      });
+    Places places(neighbours, i);
+    source.visit(
+        i, kept, [&](const auto& p, Index) __attribute__((always_inline)) {
+          const std::int64_t lane = places.next();
+          Lane slope[Dim];
+          for (int d = 0; d < Dim; ++d) slope[d] = p.slope * p.separation[d];
+          if (laplacian != nullptr) exec::store(fit.laplacian(p, slope, weight), laplacian + lane);
+          for (int a = 0; a < Dim; ++a) {
+            if (gradient[a] == nullptr) continue;
+            Lane component(Real(0));
+            for (int b = 0; b < Dim; ++b) component += slope[b] * weight[Fit::correction + a * Dim + b];
+            exec::store(component, gradient[a] + lane);
+          }
+        });
+  }
+
+ private:
+  /// Where the weights of the packs of a particle lie, one after the other.
+  class Places {
+   public:
+    Places(const Neighbours<Real, Dim>& grid, Index i) : grid_(grid), block_(grid.block_begin[i]) {}
+
+    std::int64_t next() {
+      const std::int64_t place = block_ * NeighbourBlock::width<Real> + lane_;
+      lane_ += int(Lane::size());
+      if (lane_ >= grid_.block[block_].lanes) {
+        lane_ = 0;
+        ++block_;
+      }
+      return place;
+    }
+
+   private:
+    const Neighbours<Real, Dim>& grid_;
+    std::int64_t block_;
+    int lane_ = 0;
+  };
+};
+
+/// Laplacians of `Count` scalars, for a group of particles together: then one pack holds those of the group.
+/// finish(first, members, pack of each scalar).
+template <class Real, int Dim, int Count, class Finish>
+struct LaplacianLoop {
+  using Lane = exec::Pack<Real>;
+  static constexpr int group = int(Lane::size());
+  Neighbours<Real, Dim> neighbours;
+  const Real* weight;
+  std::array<const Real*, Count> source;
+  Finish finish;
+
+  void operator()(Index n) const {
+    const Index first = n * group;
+    const int members = std::min<Index>(group, neighbours.particle_count - first);
+    alignas(Lane) Real lanes[Count][group][group];
+    for (int k = 0; k < members; ++k) {
+      Lane sum[Count];
+      sum_pairs(first + k, sum);
+      for (int c = 0; c < Count; ++c) exec::store(sum[c], &lanes[c][k][0]);
+    }
+    Lane laplacian[Count];
+    for (int c = 0; c < Count; ++c) {
+      for (int k = members; k < group; ++k) std::fill_n(&lanes[c][k][0], group, Real(0));
+      exec::sum_across(lanes[c], laplacian[c]);
+    }
+    finish(first, members, laplacian);
+  }
+
+ private:
+  [[gnu::always_inline]] void sum_pairs(Index i, Lane (&sum)[Count]) const {
+    Lane own[Count];
+    exec::unroll<Count>([&](auto c) __attribute__((always_inline)) {
+      own[c] = Lane(source[c][i]);
+      sum[c] = Lane(Real(0));
+    });
+    const std::int64_t end = neighbours.block_begin[i + 1];
+    for (std::int64_t block = neighbours.block_begin[i]; block < end; ++block) {
+      const NeighbourBlock& seen = neighbours.block[block];
+      for (int lane = 0; lane < NeighbourBlock::width<Real>; lane += group) {
+        if (lane > 0 && lane >= seen.lanes) break;
+        const Lane w = load(weight + block * NeighbourBlock::width<Real> + lane);
+        exec::unroll<Count>([&](auto c) __attribute__((always_inline)) {
+          sum[c] = sum[c] + w * (load(source[c] + seen.first + lane) - own[c]);
+        });
+      }
     }
   }
 };
+
+/// A pack to the places of a group's members.
+template <class Real>
+void put(const exec::Pack<Real>& pack, Real* to, int members) {
+  constexpr int group = int(exec::Pack<Real>::size());
+  if (members == group) return exec::store(pack, to);
+  Real all[group];
+  exec::store(pack, all);
+  std::copy_n(all, members, to);
+}
+
+template <class Make>
+void with_count(int count, const Make& make) {
+  switch (count) {
+    case 1: return make(std::integral_constant<int, 1>());
+    case 2: return make(std::integral_constant<int, 2>());
+    case 3: return make(std::integral_constant<int, 3>());
+    default: return make(std::integral_constant<int, 4>());
+  }
+}
+
+template <class Real, int Dim, int Count, class Finish>
+void run_laplacians(const Neighbours<Real, Dim>& neighbours, const Real* weight,
+                    const std::array<const Real*, Count>& source, const Finish& finish) {
+  using Loop = LaplacianLoop<Real, Dim, Count, Finish>;
+  exec::for_each({}, (neighbours.particle_count + Loop::group - 1) / Loop::group,
+                 Loop{neighbours, weight, source, finish});
+}
 
 /// All scalars of a particle while its weights are in the cache.
 template <class Real, int Dim>
@@ -69,12 +180,6 @@ struct WeightedSums {
   }
 
  private:
-  [[gnu::always_inline]] static Lane load(const Real* from) {
-    Lane lane;
-    exec::load(from, lane);
-    return lane;
-  }
-
   template <bool Laplacian, bool Gradient>
   [[gnu::always_inline]] void sum(Index i, int n) const {
     const Real* const source = wanted.source[n];
@@ -101,17 +206,15 @@ struct WeightedSums {
 
 template <class Real, int Dim, class Fit>
 void find_weights_with(const Neighbours<Real, Dim>& neighbours, const SmoothingKernel& kernel, const Fit& fit,
-                       const Derivatives<Real, Dim>& wanted, FixedWeights<Real, Dim>& weights) {
+                       const WeightsWanted<Real>& wanted, FixedWeights<Real, Dim>& weights) {
   const auto room =
       static_cast<std::size_t>(neighbours.block_begin[neighbours.particle_count]) * NeighbourBlock::width<Real>;
-  for (int n = 0; n < wanted.count; ++n) {
-    if (wanted.laplacian[n] != nullptr) weights.laplacian.resize(room);
-    if (wanted.gradient[n][0] != nullptr)
-      for (auto& gradient : weights.gradient) gradient.resize(room);
-  }
+  if (wanted.laplacian) weights.laplacian.resize(room);
+  if (wanted.gradient)
+    for (auto& gradient : weights.gradient) gradient.resize(room);
   with_kernel_function<Real>(kernel, [&](const auto& function) {
-    using Kernel = std::decay_t<decltype(function)>;
-    WeightLoop<Real, Dim, Fit, Kernel> loop{neighbours, {neighbours, function}, fit, wanted.volume, nullptr, {}};
+    const Pairs pairs(neighbours, function);
+    WeightLoop<Real, Dim, Fit> loop{neighbours, WeighedPairs(pairs, wanted.volume), fit, nullptr, {}};
     if (!weights.laplacian.empty()) loop.laplacian = weights.laplacian.data();
     for (int d = 0; d < Dim; ++d)
       if (!weights.gradient[d].empty()) loop.gradient[d] = weights.gradient[d].data();
@@ -123,7 +226,7 @@ void find_weights_with(const Neighbours<Real, Dim>& neighbours, const SmoothingK
 
 template <class Real, int Dim>
 void find_weights(const Neighbours<Real, Dim>& neighbours, const SmoothingKernel& kernel,
-                  const Derivatives<Real, Dim>& wanted, FixedWeights<Real, Dim>& weights) {
+                  const WeightsWanted<Real>& wanted, FixedWeights<Real, Dim>& weights) {
   if (wanted.consistent) {
     find_weights_with(neighbours, kernel, ConsistentFit<Real>{Real(kernel.smoothing_length)}, wanted, weights);
   } else {
@@ -134,15 +237,55 @@ void find_weights(const Neighbours<Real, Dim>& neighbours, const SmoothingKernel
 template <class Real, int Dim>
 void derivatives(const exec::Space& space, const Neighbours<Real, Dim>& neighbours,
                  const FixedWeights<Real, Dim>& weights, const Derivatives<Real, Dim>& wanted) {
+  const bool gradients = std::any_of(wanted.gradient, wanted.gradient + wanted.count,
+                                     [](const auto& gradient) { return gradient[0] != nullptr; });
+  if (!gradients) {
+    return with_count(wanted.count, [&](auto number) {
+      constexpr int count = number;
+      std::array<const Real*, count> source;
+      std::copy_n(wanted.source, count, source.begin());
+      run_laplacians<Real, Dim, count>(neighbours, weights.laplacian.data(), source,
+                                       [&wanted](Index first, int members, const auto& laplacian) {
+                                         for (int c = 0; c < count; ++c)
+                                           put(laplacian[c], wanted.laplacian[c] + first, members);
+                                       });
+    });
+  }
   WeightedSums<Real, Dim> sums{neighbours, weights.laplacian.data(), {}, wanted};
   for (int d = 0; d < Dim; ++d) sums.gradient[d] = weights.gradient[d].data();
   exec::for_each(space, neighbours.particle_count, sums);
 }
 
-template void find_weights<float, 2>(const Neighbours<float, 2>&, const SmoothingKernel&, const Derivatives<float, 2>&,
+template <class Real, int Dim>
+void stage(const Neighbours<Real, Dim>& neighbours, const FixedWeights<Real, Dim>& weights,
+           const exec::StageArguments<Real>& arguments) {
+  with_count(arguments.components, [&](auto number) {
+    constexpr int count = number;
+    using Lane = exec::Pack<Real>;
+    std::array<const Real*, count> source;
+    for (int c = 0; c < count; ++c) source[c] = arguments.latest.component(c);
+    run_laplacians<Real, Dim, count>(
+        neighbours, weights.laplacian.data(), source,
+        [&arguments](Index first, int members, const Lane(&laplacian)[count]) {
+          Lane share(Real(1));
+          if (arguments.divisor) share = Lane(Real(1)) / load(arguments.divisor.component(0) + first);
+          for (int c = 0; c < count; ++c)
+            put(arguments.next(load(arguments.latest.component(c) + first),
+                               load<Real>(arguments.before.component(c) + first),
+                               load(arguments.slope.component(c) + first), laplacian[c], share),
+                arguments.before.component(c) + first, members);
+        });
+  });
+}
+
+template void stage<float, 2>(const Neighbours<float, 2>&, const FixedWeights<float, 2>&,
+                              const exec::StageArguments<float>&);
+template void stage<double, 2>(const Neighbours<double, 2>&, const FixedWeights<double, 2>&,
+                               const exec::StageArguments<double>&);
+template void find_weights<float, 2>(const Neighbours<float, 2>&, const SmoothingKernel&, const WeightsWanted<float>&,
                                      FixedWeights<float, 2>&);
 template void find_weights<double, 2>(const Neighbours<double, 2>&, const SmoothingKernel&,
-                                      const Derivatives<double, 2>&, FixedWeights<double, 2>&);
+                                      const WeightsWanted<double>&, FixedWeights<double, 2>&);
 template void derivatives<float, 2>(const exec::Space&, const Neighbours<float, 2>&, const FixedWeights<float, 2>&,
                                     const Derivatives<float, 2>&);
 template void derivatives<double, 2>(const exec::Space&, const Neighbours<double, 2>&, const FixedWeights<double, 2>&,

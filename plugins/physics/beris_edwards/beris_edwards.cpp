@@ -42,7 +42,7 @@ struct MolecularField {
 
   MESOGEN_HOST_DEVICE void operator()(Index i) const {
     const Real trace = nematics::trace_of_square(q(0, i), q(1, i));
-    for (int n = 0; n < 2; ++n) field(n, i) = nematics::molecular_field(a, c, k, q(n, i), trace, laplacian(n, i));
+    for (int n = 0; n < 2; ++n) field(n, i) = nematics::bulk_field(a, c, q(n, i), trace) + k * laplacian(n, i);
   }
 };
 
@@ -85,16 +85,17 @@ struct ElasticEnergy {
 
 template <class Real, int Dim>
 struct Rate {
-  FieldView<const Real> q, laplacian, velocity_gradient;  // the last may be empty: no flow
+  FieldView<const Real> q, velocity_gradient;  // the last may be empty: no flow
   FieldView<Real> rate;
-  Real gamma, lambda, a, c, k;
+  Real gamma, lambda, a, c;
 
   MESOGEN_HOST_DEVICE void operator()(Index i) const {
     const Real q11 = q(0, i);
     const Real q12 = q(1, i);
     const Real trace = nematics::trace_of_square(q11, q12);
-    Real rate11 = gamma * nematics::molecular_field(a, c, k, q11, trace, laplacian(0, i));
-    Real rate12 = gamma * nematics::molecular_field(a, c, k, q12, trace, laplacian(1, i));
+    // Without elasticity, which is declared as a diffusion.
+    Real rate11 = gamma * nematics::bulk_field(a, c, q11, trace);
+    Real rate12 = gamma * nematics::bulk_field(a, c, q12, trace);
     if (velocity_gradient) {
       const Real ux = velocity_gradient(0, i);
       const Real uy = velocity_gradient(1, i);
@@ -149,6 +150,8 @@ requires(Dim == 2) class BerisEdwards final : public Physics {
 
   void declare(const Scene&, PassList& list) override {
     limit_step(list);
+    list.diffusion("order_tensor", "order_tensor_rate", nematic_.gamma * nematic_.k, StepCause::elasticity,
+                   "stable diffusion by Gamma K");
     list.numbers(nematics::add_core_numbers);
     list.advice([](const AdviceContext& context, std::vector<Suggestion>& suggestions) {
       nematics::advise_on_cores(context, suggestions);
@@ -181,19 +184,17 @@ requires(Dim == 2) class BerisEdwards final : public Physics {
                                             context.write<Real>("elastic_energy"), Real(nematic_.k)});
         });
     list.pass("rate of the order tensor")
-        .reads({"order_tensor", "order_tensor_laplacian"})
+        .reads({"order_tensor"})
         .reads_if_present({"velocity_gradient"})
         .writes({"order_tensor_rate"})
         .run([this](const PassContext& context) {
           Rate<Real, Dim> rate{context.read<Real>("order_tensor"),
-                               context.read<Real>("order_tensor_laplacian"),
                                {},
                                context.write<Real>("order_tensor_rate"),
                                Real(nematic_.gamma),
                                Real(nematic_.lambda),
                                Real(nematic_.a),
-                               Real(nematic_.c),
-                               Real(nematic_.k)};
+                               Real(nematic_.c)};
           if (context.has("velocity_gradient")) rate.velocity_gradient = context.read<Real>("velocity_gradient");
           exec::for_each(context.space(), context.count(), rate);
         });
@@ -201,10 +202,6 @@ requires(Dim == 2) class BerisEdwards final : public Physics {
 
  private:
   void limit_step(PassList& list) const {
-    if (nematic_.k > 0.0)
-      list.step_limit(StepCause::elasticity, "stable diffusion by Gamma K", [this](const Scene& scene) {
-        return scene.diffusion_step_of("order_tensor") / (nematic_.gamma * nematic_.k);
-      });
     // The midpoint rule is stable up to 2 over the rate, and off by a sixth of the square of their product: at most 3 %
     // where |Q| = 1, 0.7 % of the return to equilibrium with A = -2 C.
     const double stiffness = std::abs(nematic_.a) + 6.0 * nematic_.c;

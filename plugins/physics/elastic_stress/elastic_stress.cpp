@@ -94,13 +94,7 @@ requires(Dim == 2) class ElasticStress final : public Physics {
                                             "' of a nematic: add a [physics.*] section with type = \"beris_edwards\"");
     lambda_ = scene.constant("flow_alignment");
     const double k = scene.constant("elastic_constant");
-    // Waves of the director against the fluid's inertia: rho w' ~ K k^4 X theta with X <= 2 + |lambda|, theta' ~ X w
-    // / 4.
-    if (k > 0.0 && scene.constants.contains("density"))
-      list.step_limit(StepCause::elastic_waves, "0.25 h^2 sqrt(rho / K) / (2 + |lambda|)", [this, k](const Scene& run) {
-        return 0.25 * run.smoothing_length * run.smoothing_length * std::sqrt(run.constant("density") / k) /
-               (2.0 + std::abs(lambda_));
-      });
+    if (k > 0.0 && scene.constants.contains("density")) limit_step(scene, list, k);
     list.field("elastic_stress", Rank::matrix)
         .unit("Pa")
         .doc("Pi, the elastic stress of turning and stretching Q, row by row");
@@ -125,6 +119,23 @@ requires(Dim == 2) class ElasticStress final : public Physics {
   }
 
  private:
+  // Waves of the director against the fluid's inertia: rho w' ~ K k^4 X theta with X <= 2 + |lambda|, theta' ~ X w / 4.
+  // In a stabilised step viscosity may overdamp them: the flow is that of the balance mu k^2 w ~ K k^4 X theta, by
+  // which the director diffuses with K X^2 / (4 mu).
+  void limit_step(const Scene& scene, PassList& list, double k) const {
+    const char* const rule =
+        scene.stabilised_steps
+            ? "0.25 h^2 sqrt(rho / K) / (2 + |lambda|) or stable diffusion by K (2 + |lambda|)^2 / 2 mu"
+            : "0.25 h^2 sqrt(rho / K) / (2 + |lambda|)";
+    list.step_limit(StepCause::elastic_waves, rule, [this, k](const Scene& run) {
+      const double coupling = 2.0 + std::abs(lambda_);
+      const double length = run.smoothing_length;
+      const double wave = 0.25 * length * length * std::sqrt(run.constant("density") / k) / coupling;
+      if (!run.stabilised_steps) return wave;
+      return std::max(wave, run.diffusion_step * 2.0 * run.constant("viscosity") / (k * coupling * coupling));
+    });
+  }
+
   double lambda_ = 0.0;
 };
 

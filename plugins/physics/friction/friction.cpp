@@ -9,17 +9,6 @@ namespace {
 using namespace mesogen;
 
 template <class Real, int Dim>
-struct Drag {
-  FieldView<const Real> velocity, density;
-  FieldView<Real> acceleration;
-  Real coefficient;
-
-  MESOGEN_HOST_DEVICE void operator()(Index i) const {
-    for (int d = 0; d < Dim; ++d) acceleration(d, i) -= coefficient / density(i) * velocity(d, i);
-  }
-};
-
-template <class Real, int Dim>
 class Friction final : public Physics {
  public:
   void parameters(ParameterList& list) override {
@@ -33,18 +22,10 @@ class Friction final : public Physics {
   void publish(Scene& scene) const override { scene.constants["friction"] = coefficient_; }
 
   void declare(const Scene& scene, PassList& list) override {
-    if (coefficient_ > 0.0 && scene.constants.contains("density") && !scene.scales.friction_for_any_step)
-      list.step_limit(StepCause::friction, "0.25 rho / xi",
-                      [this](const Scene& run) { return 0.25 * run.constant("density") / coefficient_; });
-    list.pass("friction")
-        .reads({"velocity", "density"})
-        .accumulates({"acceleration"})
-        .idle_if(coefficient_ == 0.0)
-        .run([this](const PassContext& context) {
-          exec::for_each(context.space(), context.count(),
-                         Drag<Real, Dim>{context.read<Real>("velocity"), context.read<Real>("density"),
-                                         context.write<Real>("acceleration"), Real(coefficient_)});
-        });
+    const double density = scene.constant("density");
+    list.damping("velocity", "acceleration", coefficient_, StepCause::friction, "0.25 rho / xi")
+        .divided_by("density", density)
+        .takes_any_step(scene.scales.friction_for_any_step || !(density > 0.0));
   }
 
  private:

@@ -10,7 +10,7 @@ using namespace mesogen::testing;
 TEST(Friction, SlowsTheFlowByItsSpeed) {
   PluginHarness friction(PluginKind::physics, "friction", "coefficient = 0.6");
   friction.set("velocity", {3.0, -4.0}).set("density", {2.0}).set("acceleration", {1.0, 1.0});
-  friction.run("friction");
+  friction.run("damping of velocity");
   for (const double a : friction.values("acceleration", 0)) EXPECT_DOUBLE_EQ(a, 1.0 - 0.6 / 2.0 * 3.0);
   for (const double a : friction.values("acceleration", 1)) EXPECT_DOUBLE_EQ(a, 1.0 + 0.6 / 2.0 * 4.0);
 }

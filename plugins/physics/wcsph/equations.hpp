@@ -64,7 +64,9 @@ void declare_continuity(PassList& list, const Fluid& fluid) {
         rate.rate = context.write<Real>("compression_rate");
         rate.midpoint = context.write<Real>("compression_midpoint");
         rate.density = context.write<Real>("density");
-        rate.half_step = Real(context.step_size() / 2.0);
+        // In stabilised steps compression is kept at the midpoints of steps, and advanced by the velocity between them:
+        // so sound is stable in steps of any length up to 2 mu / (rho c0^2).
+        rate.ahead = Real(context.scene().stabilised_steps ? context.step_size() : context.step_size() / 2.0);
         rate.reference_density = Real(fluid.density());
         exec::for_each(context.space(), context.count(), rate);
       });

@@ -58,14 +58,21 @@ void Fluid::publish(Scene& scene) const {
   scene.constants["relaxation_ratio"] = relaxation_ratio_;
 }
 
-void Fluid::declare(const Scene& scene, PassList& list, double viscous_share, bool plain) {
-  viscous_share_ = viscous_share;
+void Fluid::declare(const Scene& scene, PassList& list, bool radial, bool plain) {
+  radial_ = radial;
   choose(scene);
   list.constant("sound_speed", sound_.speed());
   list.numbers(nematics::add_flow_numbers);
-  list.step_limit(StepCause::sound, "0.25 h / c0", [this](const Scene& run) { return sound_step(run); });
-  list.step_limit(StepCause::viscosity, "stable diffusion by mu / rho",
-                  [this](const Scene& run) { return viscous_step(run); });
+  list.step_limit(StepCause::sound, scene.stabilised_steps ? "0.25 h / c0 or 2 mu / rho c0^2" : "0.25 h / c0",
+                  [this](const Scene& run) { return sound_step(run); });
+  if (scene.stabilised_steps && !(scene.scales.stress > 0.0))
+    list.step_limit(StepCause::viscosity, "0.01 rho / (mu k^2) of the longest wave",
+                    [this](const Scene& run) { return 0.01 * density_ / (viscosity_ * smallest_square(run)); });
+  constexpr const char* rule = "stable diffusion by mu / rho";
+  if (radial)
+    list.step_limit(StepCause::viscosity, rule, [this](const Scene& run) { return viscous_step(run); });
+  else
+    list.diffusion("velocity", "acceleration", viscosity_, StepCause::viscosity, rule).divided_by("density", density_);
   plain = plain && density_variation_ == 0.01;
   list.advice([this, plain](const AdviceContext& context, std::vector<Suggestion>& suggestions) {
     advise({sound_.speed(), automatic_sound_speed_, physical_density_, artificial_density(context.scene), inertia_,
@@ -98,10 +105,18 @@ double Fluid::artificial_density(const Scene& scene) const {
   return creeping_density(scene, viscosity_, relaxation_ratio_);
 }
 
-double Fluid::sound_step(const Scene& scene) const { return 0.25 * scene.smoothing_length / sound_.speed(); }
+// In stabilised steps a wave of wave number k that viscosity overdamps (nu k > 2 c0, nu = mu / rho0) is stable up to
+// 2 nu / c0^2, however short it is; others up to 2 / (c0 k).
+double Fluid::sound_step(const Scene& scene) const {
+  const double c0 = sound_.speed();
+  const double crossing = 0.25 * scene.smoothing_length / c0;
+  return scene.stabilised_steps ? std::max(crossing, 2.0 * viscosity_ / density_ / (c0 * c0)) : crossing;
+}
 
+// The radial form takes up to 3.3 times as much from the shortest waves as the Laplacian of the components.
 double Fluid::viscous_step(const Scene& scene) const {
-  return scene.diffusion_step * density_ / viscosity_ * viscous_share_;
+  const double longest = radial_ ? 0.25 * scene.diffusion_step : scene.diffusion_step_of("velocity");
+  return longest * density_ / viscosity_;
 }
 
 }  // namespace mesogen::wcsph

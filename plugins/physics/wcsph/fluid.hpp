@@ -3,6 +3,7 @@
 // The fluid of a weakly compressible flow, its density and its sound: what wcsph and wcsph_published share beside their
 // sums over neighbours.
 
+#include <algorithm>
 #include <optional>
 
 #include "adaptive_sound.hpp"
@@ -17,10 +18,10 @@ class Fluid {
   void parameters(ParameterList& list);
   /// Density, viscosity and speed.
   void publish(Scene& scene) const;
-  /// Chooses density and sound, and declares limits on the step, numbers and advice. `viscous_share`: the largest
-  /// stable viscous step, in that of the Laplacian of each velocity component. `plain`: the case gives no key of the
-  /// plugin's own, so that another flow would do as well.
-  void declare(const Scene& scene, PassList& list, double viscous_share, bool plain);
+  /// Chooses density and sound, and declares viscosity, limits on the step, numbers and advice. `radial`: the plugin
+  /// sums viscosity itself, in the form of Monaghan & Gingold. `plain`: the case gives no key of the plugin's own, so
+  /// that another flow would do as well.
+  void declare(const Scene& scene, PassList& list, bool radial, bool plain);
 
   /// rho0 of the momentum equation, kg/m3; with inertia = false the artificial one.
   [[nodiscard]] double density() const { return density_; }
@@ -30,8 +31,12 @@ class Fluid {
   [[nodiscard]] double stiffness() const { return density_ * sound_.speed() * sound_.speed(); }
   /// Of a particle, kg/m in 2D.
   [[nodiscard]] double mass() const { return mass_; }
-  /// delta h c0, m2/s.
-  [[nodiscard]] double density_diffusivity(double delta) const { return delta * smoothing_length_ * sound_.speed(); }
+  /// delta h c0, m2/s; where viscosity overdamps sound over a smoothing length (nu > h c0), as much less as compression
+  /// relaxes more slowly there: delta h^2 c0^2 / nu. It is then always the same part of what pressure evens out.
+  [[nodiscard]] double density_diffusivity(double delta) const {
+    const double way = smoothing_length_ * sound_.speed();
+    return delta * way * std::min(1.0, way * density_ / viscosity_);
+  }
   [[nodiscard]] AdaptiveSound& sound() { return sound_; }
 
  private:
@@ -50,7 +55,7 @@ class Fluid {
   double density_variation_ = 0.01;
   AdaptiveSound sound_;
   double automatic_sound_speed_ = 0.0;
-  double viscous_share_ = 1.0;
+  bool radial_ = false;
   double smoothing_length_ = 0.0;  // h, m
   double mass_ = 0.0;
 };

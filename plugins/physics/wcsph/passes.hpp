@@ -8,24 +8,26 @@
 
 namespace mesogen::wcsph {
 
-/// Continuity: dc/dt = -(1 + c) div u, with the corrected gradient; c at the midpoint of the step is c + dt/2 dc/dt.
+/// Continuity: dc/dt = -(1 + c) div u, with the corrected gradient; c at the midpoint of the step is c + ahead dc/dt.
 template <class Real, int Dim>
 struct Continuity {
   FieldView<const Real> compression, velocity_gradient;
   FieldView<Real> rate, midpoint, density;
-  Real half_step, reference_density;
+  Real ahead;  // s
+  Real reference_density;
 
   MESOGEN_HOST_DEVICE void operator()(Index i) const {
     Real divergence = Real(0);
     for (int d = 0; d < Dim; ++d) divergence += velocity_gradient(d * Dim + d, i);
     const Real change = -(Real(1) + compression(i)) * divergence;
     rate(i) += change;
-    midpoint(i) = compression(i) + half_step * change;
+    midpoint(i) = compression(i) + ahead * change;
     density(i) = reference_density * (Real(1) + midpoint(i));
   }
 };
 
-/// Density diffusion (delta-SPH; Molteni and Colagrossi 2009): dc/dt gains D lap c, D = delta h c0, with
+/// Density diffusion (delta-SPH; Molteni and Colagrossi 2009): dc/dt gains D lap c, D of Fluid::density_diffusivity,
+/// with
 ///   lap c = 2 sum_j V_j (c_i - c_j) W'_ij / r_ij,
 /// which keeps sum_i V_i c_i. Density that alternates from particle to particle has next to no gradient: pressure does
 /// not even it out.
@@ -185,14 +187,14 @@ enum class PressureForm {
   conservative  ///< -sum_j m (p_i / rho_i^2 + p_j / rho_j^2) grad W_ij: opposite forces on two particles
 };
 
-/// Acceleration by pressure and viscosity. Viscosity: mu/rho lap u (component-wise), or with `Radial` (Monaghan &
-/// Gingold 1983) 8 mu/rho sum_j V_j (u_ij . r_ij) / r_ij^2 B_i grad W_ij.
+/// Acceleration by pressure; with `Radial` also by viscosity in the form of Monaghan & Gingold (1983),
+/// 8 mu/rho sum_j V_j (u_ij . r_ij) / r_ij^2 B_i grad W_ij. (Otherwise viscosity is declared as a diffusion.)
 template <class Real, int Dim, bool Radial, PressureForm Form>
 struct Momentum {
   static constexpr int sum_count = Radial ? 2 * Dim : Dim;
   FieldView<const Real> pressure;  // p / rho^2 where that is summed
-  FieldView<const Real> volume, density, correction, velocity;
-  FieldView<const Real> velocity_laplacian;  // empty with Radial
+  FieldView<const Real> volume, density, correction;
+  FieldView<const Real> velocity;  // empty unless Radial
   FieldView<Real> acceleration;
   Real viscosity;
   Real mass;  // of a particle
@@ -239,7 +241,6 @@ struct Momentum {
       if constexpr (Radial || Form != PressureForm::conservative)
         for (int b = 0; b < Dim; ++b) total += correction(a * Dim + b, i) * corrected[b];
       if constexpr (Form == PressureForm::conservative) total -= mass * sum[a];
-      if constexpr (!Radial) total += viscosity / rho * velocity_laplacian(a, i);
       acceleration(a, i) += total;
     }
   }

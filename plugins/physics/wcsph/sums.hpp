@@ -2,6 +2,7 @@
 
 // Sums over neighbours: what each reads and writes, and how it is filled for a pass.
 
+#include <algorithm>
 #include <limits>
 #include <string>
 
@@ -27,6 +28,10 @@ inline Pass& declare_diffusion(Pass& pass) {
 
 template <class Real>
 DensityDiffusion<Real> diffusion_sums(const PassContext& context, double diffusivity) {
+  // A stabilised step may be longer than this diffusion takes: as much as there may be does as well.
+  const Scene& scene = context.scene();
+  if (scene.stabilised_steps && context.step_size() > 0.0)
+    diffusivity = std::min(diffusivity, scene.diffusion_step / context.step_size());
   return {context.read<Real>("volume"), context.read<Real>("compression_midpoint"),
           context.write<Real>("compression_rate"), Real(diffusivity)};
 }
@@ -64,7 +69,7 @@ Pass& declare_momentum(Pass& pass) {
   pass.reads({"density", "correction"})
       .reads_neighbours({summed_pressure<Form>, "volume"})
       .accumulates({"acceleration"});
-  return Radial ? pass.reads_neighbours({"velocity"}) : pass.reads({"velocity_laplacian"});
+  return Radial ? pass.reads_neighbours({"velocity"}) : pass;
 }
 
 template <class Real, int Dim, bool Radial, PressureForm Form>
@@ -74,11 +79,7 @@ Momentum<Real, Dim, Radial, Form> momentum_sums(const PassContext& context, cons
   sums.pressure = context.read<Real>(summed_pressure<Form>);
   sums.density = context.read<Real>("density");
   sums.correction = context.read<Real>("correction");
-  if constexpr (Radial) {
-    sums.velocity = context.read<Real>("velocity");
-  } else {
-    sums.velocity_laplacian = context.read<Real>("velocity_laplacian");
-  }
+  if constexpr (Radial) sums.velocity = context.read<Real>("velocity");
   sums.acceleration = context.write<Real>("acceleration");
   sums.viscosity = Real(fluid.viscosity());
   sums.mass = Real(fluid.mass());
@@ -103,10 +104,11 @@ void add_shift(PassList& list, double strength) {
 
 template <class Real, int Dim, bool Radial, PressureForm Form>
 void add_momentum_of_form(PassList& list, const Fluid& fluid) {
-  declare_momentum<Radial, Form>(list.pass("pressure and viscosity")).run([&fluid](const PassContext& context) {
-    sph::pair_sum(context.space(), context.neighbours<Real, Dim>(), context.kernel(),
-                  momentum_sums<Real, Dim, Radial, Form>(context, fluid));
-  });
+  declare_momentum<Radial, Form>(list.pass(Radial ? "pressure and viscosity" : "pressure"))
+      .run([&fluid](const PassContext& context) {
+        sph::pair_sum(context.space(), context.neighbours<Real, Dim>(), context.kernel(),
+                      momentum_sums<Real, Dim, Radial, Form>(context, fluid));
+      });
 }
 
 template <class Real, int Dim, bool Radial>

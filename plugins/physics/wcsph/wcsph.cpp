@@ -59,7 +59,7 @@ class Wcsph final : public Physics {
     const bool shifts = shift_ > 0.0 && !fixed;
     const double usual = fluid_.inertia() ? 0.1 : 0.02;
     delta_ = diffusion_.value_or(usual);
-    fluid_.declare(scene, list, 1.0, form == PressureForm::corrected && delta_ == usual && shift_ == 0.3 && !fixed);
+    fluid_.declare(scene, list, false, form == PressureForm::corrected && delta_ == usual && shift_ == 0.3 && !fixed);
     wcsph::declare_fields(list, fluid_, false);
     list.flows({"velocity", "shift_velocity", fixed});
     wcsph::declare_continuity<Real, Dim>(list, fluid_);
@@ -75,7 +75,7 @@ class Wcsph final : public Physics {
 
  private:
   void all_together(PassList& list) {
-    Pass& pass = list.pass("pressure, viscosity, shift and density diffusion");
+    Pass& pass = list.pass("pressure, shift and density diffusion");
     wcsph::declare_shift<false>(pass);
     wcsph::declare_diffusion(pass);
     wcsph::declare_momentum<false, PressureForm::corrected>(pass).run([this](const PassContext& context) {

@@ -73,8 +73,7 @@ class WcsphPublished final : public Physics {
     const bool filters = filter_ > 0.0;
     const bool radial = viscosity_form_ == "monaghan_gingold";
     const PressureForm form = wcsph::pressure_form(pressure_form_);
-    // The radial form takes up to 3.3 times as much from the shortest waves as the Laplacian of the components.
-    fluid_.declare(scene, list, radial ? 0.25 : 1.0, false);
+    fluid_.declare(scene, list, radial, false);
     wcsph::declare_fields(list, fluid_, filters);
     list.flows({"velocity", "shift_velocity", fixed});
     wcsph::declare_continuity<Real, Dim>(list, fluid_);

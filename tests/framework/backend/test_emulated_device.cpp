@@ -140,6 +140,30 @@ TEST(EmulatedDevice, RunsAFlowThatComputesOnTheHost) {
   }
 }
 
+// On the host its stages sum with weights that are kept, on a device with new ones: the same numbers but for rounding.
+TEST(EmulatedDevice, StabilisedStepsAreThoseOfTheHost) {
+  for (const char* const boundary : {"periodic_ghosts", "walls"}) {
+    const CaseText text = active_scene("double", boundary, "stabilised");
+    const auto velocity = [&](const SetupAdditions& additions) {
+      const auto setup = put_together(text, built_plugins(), additions);
+      Stepper stepper(*setup);
+      stepper.start();
+      for (int n = 0; n < 20; ++n) stepper.advance(stepper.next_step(1e6), {false});
+      Checkpoint checkpoint;
+      stepper.save(checkpoint);
+      return checkpoint.numbers.at("field velocity 1");
+    };
+    exec::EmulatedMemory memory;
+    const EmulatedDevice device(memory);
+    const auto host = velocity({});
+    for (const auto on_device : {&everybody, &some}) {
+      const auto emulated = velocity(device.additions(on_device));
+      ASSERT_EQ(emulated.size(), host.size());
+      for (std::size_t i = 0; i < host.size(); ++i) EXPECT_NEAR(emulated[i], host[i], 1e-9);
+    }
+  }
+}
+
 TEST(EmulatedDevice, ClosestPairIsThatOfTheHost) {
   const auto closest = [](const SetupAdditions& additions) {
     const auto setup = put_together(active_scene("single"), built_plugins(), additions);

@@ -65,7 +65,8 @@ CaseText film(double spacing) {
       .section("director", "type = \"perturbed\"\namplitude = 0.05")
       .section("physics.flow", "type = \"wcsph\"\ndensity = 1000.0\nviscosity = 0.1")
       .nematic(1.0, 0.7, 4e-12)
-      .active(0.5);
+      .active(0.5)
+      .section("time", "end = 1.0\nstepping = \"explicit\"");
   return text;
 }
 
@@ -135,7 +136,7 @@ TEST(Advice, FasterSoundVariesDensityLess) {
 
 // Where viscosity binds the step.
 TEST(Advice, FasterSoundThatIsFreeTakesNoMoreSteps) {
-  const CaseText text = vortices("sound_speed = 15.0", 1.0);
+  const CaseText text = vortices("sound_speed = 15.0", 1.0).section("time", "end = 1.0\nstepping = \"explicit\"");
   const auto found = advised(text, "sound_too_slow");
   ASSERT_TRUE(found);
   EXPECT_NE(found->finding.find("up to that value a higher one costs nothing"), std::string::npos) << found->finding;

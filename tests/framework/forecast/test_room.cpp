@@ -16,7 +16,7 @@ constexpr double program = 2e7;  // bytes
 
 CaseText fluid(int across) {
   CaseText text(10.0, across);
-  text.flow(0.5).precision("single").section("time", "end = 1.0\nstep = 0.001");
+  text.flow(0.5).precision("single").section("time", "end = 1.0\nstep = 0.001\nstepping = \"explicit\"");
   return text;
 }
 

@@ -8,9 +8,11 @@
 namespace mesogen::test {
 
 /// A lively little case in which every part of a step does something: particles cross faces and are sorted anew.
-inline CaseText active_scene(const std::string& precision, const std::string& boundary = "periodic_ghosts") {
+inline CaseText active_scene(const std::string& precision, const std::string& boundary = "periodic_ghosts",
+                             const std::string& stepping = "explicit") {
   CaseText text(4.0, 20);
-  text.boundary(boundary)
+  text.section("time", "end = 1e6\nstepping = \"" + stepping + "\"")
+      .boundary(boundary)
       .precision(precision)
       .modes("director", "[[1, 0, 0.4, 0.3], [0, 1, 0.3, 1.1], [2, -1, 0.1, 0.7]]")
       .section("velocity", "type = \"uniform\"\nvalue = [1.0, -0.6]")

@@ -48,13 +48,14 @@ TEST(Pruning, WithoutFlowNeighboursAreBuiltOnceAndNothingMoves) {
   EXPECT_EQ(found, (Counters{{"neighbour builds", 1},
                              {"positions", 1},
                              {"framework: volume", 1},
-                             {"framework: weights of order_tensor_laplacian", 1},
+                             {"framework: weights of pairs", 1},
                              {"framework: order_tensor_laplacian", 1 + steps},   // at the start, then at each midpoint
                              {"framework: values beyond the faces", 2 + steps},  // the volume, then Q each time
                              {"framework: neighbours, sorting", 1},
                              {"framework: integration", 2 * steps},  // to the midpoint, and on
                              {"framework: guard", steps},
-                             {"physics.nematic: rate of the order tensor", 1 + steps}}));
+                             {"physics.nematic: rate of the order tensor", 1 + steps},
+                             {"physics.nematic: diffusion of order_tensor", 1 + steps}}));
   EXPECT_EQ(run.path(0), x);
   // Nothing that only a flow, or nobody, needs takes memory.
   for (const auto& [name, field] : run.state().fields.all())
@@ -68,7 +69,7 @@ TEST(Pruning, WithoutFlowOnWallsWeightsAreFoundOnceToo) {
   run.run_steps(steps);
   const Counters found = counters(run);
   EXPECT_EQ(found.at("neighbour builds"), 1);
-  EXPECT_EQ(found.at("framework: weights of order_tensor_laplacian"), 1);
+  EXPECT_EQ(found.at("framework: weights of pairs"), 1);
 }
 
 TEST(Pruning, WhereThereIsFlowEverythingRunsOnceAStep) {
@@ -139,7 +140,7 @@ TEST(Pruning, WithoutFlowSamplesComputeNothingElseAnew) {
   EXPECT_EQ(found.at("framework: order_tensor_gradient"), 3);
   EXPECT_EQ(found.at("framework: order_tensor_laplacian"), 35);  // once a step
   EXPECT_EQ(found.at("framework: volume"), 0);
-  EXPECT_EQ(found.at("framework: weights of order_tensor_laplacian"), 0);
+  EXPECT_EQ(found.at("framework: weights of pairs"), 0);
   EXPECT_EQ(found.at("neighbour builds"), 0);
 }
 

@@ -12,11 +12,11 @@ namespace {
 using namespace mesogen;
 using namespace mesogen::test;
 
-class SameBits : public testing::TestWithParam<std::tuple<const char*, const char*>> {
+class SameBits : public testing::TestWithParam<std::tuple<const char*, const char*, const char*>> {
  protected:
   [[nodiscard]] static CaseText scene() {
-    const auto [precision, boundary] = GetParam();
-    return active_scene(precision, boundary);
+    const auto [precision, boundary, stepping] = GetParam();
+    return active_scene(precision, boundary, stepping);
   }
 };
 
@@ -55,9 +55,11 @@ TEST_P(SameBits, FromASavedAndRestoredRun) {
 
 INSTANTIATE_TEST_SUITE_P(All, SameBits,
                          testing::Combine(testing::Values("single", "double"),
-                                          testing::Values("periodic_ghosts", "periodic_wrap", "walls")),
+                                          testing::Values("periodic_ghosts", "periodic_wrap", "walls"),
+                                          testing::Values("explicit", "stabilised")),
                          [](const auto& set) {
-                           return std::string(std::get<0>(set.param)) + "_" + std::get<1>(set.param);
+                           return std::string(std::get<0>(set.param)) + "_" + std::get<1>(set.param) + "_" +
+                                  std::get<2>(set.param);
                          });
 
 TEST(Restore, RefusesTheCheckpointOfAnotherCase) {

@@ -11,8 +11,11 @@ namespace {
 
 using namespace mesogen::test;
 
+/// `scheme`: of explicit steps, or "stabilised".
 CaseText in_time(CaseText text, const std::string& scheme, double step) {
-  text.section("time", "end = 1e6\nscheme = \"" + scheme + "\"\nstep = " + std::to_string(step));
+  const std::string keys =
+      scheme == "stabilised" ? "stepping = \"stabilised\"" : "stepping = \"explicit\"\nscheme = \"" + scheme + "\"";
+  text.section("time", "end = 1e6\n" + keys + "\nstep = " + std::to_string(step));
   return text;
 }
 
@@ -22,7 +25,7 @@ double error_of_relaxation(const std::string& scheme, double step) {
   constexpr double start = 0.2;
   constexpr double end = 5.0;
   CaseText text(10.0, 12);
-  text.section("director", "type = \"modes\"\nmodes = []\norder = 0.2").nematic(gamma, 0.7, 0.0);
+  text.section("director", "type = \"modes\"\nmodes = []\norder = 0.2").nematic(gamma, 0.7, 0.02);
   CaseRun run(in_time(text, scheme, step));
   run.run_to(end);
   const double exact = 1.0 / std::sqrt(1.0 + (1.0 / (start * start) - 1.0) * std::exp(-2.0 * gamma * end));
@@ -44,6 +47,11 @@ double error_of_friction(const std::string& scheme, double step) {
 TEST(TimeScheme, MidpointIsOfSecondOrder) {
   EXPECT_NEAR(std::log2(error_of_relaxation("midpoint", 0.2) / error_of_relaxation("midpoint", 0.1)), 2.0, 0.3);
   EXPECT_NEAR(std::log2(error_of_friction("midpoint", 0.2) / error_of_friction("midpoint", 0.1)), 2.0, 0.3);
+}
+
+TEST(TimeScheme, StabilisedStepsAreOfSecondOrder) {
+  EXPECT_NEAR(std::log2(error_of_relaxation("stabilised", 0.2) / error_of_relaxation("stabilised", 0.1)), 2.0, 0.3);
+  EXPECT_NEAR(std::log2(error_of_friction("stabilised", 0.4) / error_of_friction("stabilised", 0.2)), 2.0, 0.3);
 }
 
 TEST(TimeScheme, HalfStepsAreOfFirstOrderForWhatDependsOnItself) {

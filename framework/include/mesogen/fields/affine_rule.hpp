@@ -56,6 +56,13 @@ class AffineRule {
   [[nodiscard]] double summand(int component) const { return summand_[static_cast<std::size_t>(component)]; }
   [[nodiscard]] double& summand(int component) { return summand_[static_cast<std::size_t>(component)]; }
 
+  /// Returns the rule for the difference of two values that both follow this rule: without its constants.
+  [[nodiscard]] AffineRule of_differences() const {
+    AffineRule rule = *this;
+    rule.summand_ = {};
+    rule.at_wall_ = {};
+    return rule;
+  }
   /// Returns the rule that applies `first` and then this rule. Both must be for the same field.
   [[nodiscard]] AffineRule after(const AffineRule& first) const {
     AffineRule both(components_);

@@ -12,6 +12,7 @@
 #include "mesogen/export.hpp"
 #include "mesogen/fields/rank.hpp"
 #include "mesogen/plugin/advice.hpp"
+#include "mesogen/plugin/linear_term.hpp"
 #include "mesogen/plugin/scene.hpp"
 #include "mesogen/plugin/step_limits.hpp"
 
@@ -166,6 +167,12 @@ class MESOGEN_EXPORT PassList {
   Pass& pass(std::string_view name, Phase phase = Phase::rates);
   /// Declares that there is a flow, and how it moves particles. Only one plugin of a case may call this.
   void flows(Transport transport) { transport_ = std::move(transport); }
+  /// Declares that a field diffuses, or is damped; see LinearTerm. `rate`: field of its rate of change. `rule`: formula
+  /// of the limit on explicit steps, for messages: "stable diffusion by mu / rho".
+  LinearTerm& diffusion(std::string_view field, std::string_view rate, double coefficient, StepCause cause,
+                        std::string_view rule);
+  LinearTerm& damping(std::string_view field, std::string_view rate, double coefficient, StepCause cause,
+                      std::string_view rule);
   /// Declares numbers that the plugin's passes advance from step to step, such as a field on a mesh. Checkpoints store
   /// them. During a run `where` must return exactly `count` numbers; the framework may change them.
   void keep(std::string_view name, std::size_t count, std::function<std::span<double>()> where) {
@@ -199,6 +206,7 @@ class MESOGEN_EXPORT PassList {
     std::function<double(const Scene&)> seconds;
   };
   [[nodiscard]] const std::vector<Limit>& step_limits() const { return limits_; }
+  [[nodiscard]] const std::deque<LinearTerm>& linear_terms() const { return linear_terms_; }
   [[nodiscard]] const Constants& constants() const { return constants_; }
   [[nodiscard]] double memory() const { return memory_; }
   [[nodiscard]] const auto& numbers() const { return numbers_; }
@@ -220,6 +228,7 @@ class MESOGEN_EXPORT PassList {
   std::function<void(const AdviceContext&, std::vector<Suggestion>&)> advice_;
   std::deque<FieldDeclaration> fields_;
   std::deque<Pass> passes_;
+  std::deque<LinearTerm> linear_terms_;
   Transport transport_;
 };
 

@@ -50,10 +50,15 @@ struct Scene {
   /// Largest step x diffusivity for which the Laplacian of this run, with its kernel and time scheme, is stable (with a
   /// margin for disordered particles), m2: limit a diffusion D to steps of diffusion_step / D.
   double diffusion_step = 0.0;
-  /// The same of the Laplacian of a certain field; infinite if that takes any step.
+  /// The same of a diffusion that is declared (PassList::diffusion) of a certain field; infinite if that takes any
+  /// step.
   [[nodiscard]] double diffusion_step_of(std::string_view field) const {
-    return scales.laplacians_for_any_step.contains(field) ? std::numeric_limits<double>::infinity() : diffusion_step;
+    const bool any = stabilised_steps || scales.laplacians_for_any_step.contains(field);
+    return any ? std::numeric_limits<double>::infinity() : diffusion_step;
   }
+  /// Are steps stabilised (time.stepping)? Linear terms that plugins declare (LinearTerm) then limit no step. In a
+  /// step, passes that the acceleration needs see the velocity at its start, all others that at its middle.
+  bool stabilised_steps = false;
   Index particle_count = 0;
   /// By field; without those that no initial condition sets.
   std::map<std::string, InitialExtent, std::less<>> initial;

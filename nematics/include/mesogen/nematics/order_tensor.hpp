@@ -12,11 +12,11 @@ MESOGEN_HOST_DEVICE Real trace_of_square(Real q11, Real q12) {
   return Real(2) * (q11 * q11 + q12 * q12);
 }
 
-/// The molecular field H = -A Q - C Q Tr(Q^2) + K lap Q, Pa. In 2D the term with B of the Landau-de Gennes energy is a
-/// multiple of I and drops out. `component` and `laplacian` must belong to the same component of Q; `trace` is Tr(Q^2).
+/// The part of the bulk in the molecular field, -A Q - C Q Tr(Q^2), Pa. In 2D the term with B of the Landau-de Gennes
+/// energy is a multiple of I and drops out. `component`: of Q; `trace` is Tr(Q^2).
 template <class Real>
-MESOGEN_HOST_DEVICE Real molecular_field(Real a, Real c, Real k, Real component, Real trace, Real laplacian) {
-  return -(a + c * trace) * component + k * laplacian;
+MESOGEN_HOST_DEVICE Real bulk_field(Real a, Real c, Real component, Real trace) {
+  return -(a + c * trace) * component;
 }
 
 }  // namespace mesogen::nematics
