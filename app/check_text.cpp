@@ -73,6 +73,7 @@ std::string steps_text(const Setup& setup, const StepForecast& steps) {
   }
   text += "limits on the step, in addition to those of the motion\n";
   for (const auto& limit : setup.limits.all()) {
+    if (!std::isfinite(limit.seconds)) continue;
     text += fmt::format("  {:<46} {:.6g} {}", limit.text, limit.seconds, unit);
     if (limit.text == steps.limit) text += "   limits the step";
     if (time.step && *time.step > limit.seconds)

@@ -40,8 +40,9 @@ TEST(Stepping, LinearTermsThenLimitNoStep) {
   const auto limits = [](const std::string& time) {
     CaseText text = active(2.0 / 3.0, 48, time);
     text.section("physics.substrate", "type = \"friction\"\ncoefficient = 100.0");
+    CaseRun run = CaseRun::unstarted(text);
     std::map<StepCause, double> all;
-    for (const auto& limit : CaseRun::unstarted(text).setup().limits.all()) all[limit.cause] = limit.seconds;
+    for (const auto& limit : run.setup().limits.all()) all[limit.cause] = limit.seconds;
     return all;
   };
   const auto usual = limits("stepping = \"explicit\"");
