@@ -2,7 +2,9 @@
 
 #include <fftw3.h>
 
+#include <algorithm>
 #include <cmath>
+#include <complex>
 #include <vector>
 
 namespace mesogen::mesh {
@@ -21,109 +23,203 @@ int fast_size(double wanted) {
 
 namespace {
 
-// Columns that are transformed together: a cache line's worth of complex numbers, and as many again.
-constexpr int columns = 8;
+/// FFTW in one precision.
+template <class Real>
+struct Fftw;
 
-fftw_complex* raw(Complex* modes) { return reinterpret_cast<fftw_complex*>(modes); }
+template <>
+struct Fftw<double> {
+  using Number = fftw_complex;
+  using Plan = fftw_plan;
+  static constexpr auto plan_row = fftw_plan_dft_1d;
+  static constexpr auto plan_columns = fftw_plan_many_dft;
+  static constexpr auto execute = fftw_execute_dft;
+  static constexpr auto destroy = fftw_destroy_plan;
+};
 
-/// Transforms along an axis beyond the first, whose points lie `stride` apart.
+template <>
+struct Fftw<float> {
+  using Number = fftwf_complex;
+  using Plan = fftwf_plan;
+  static constexpr auto plan_row = fftwf_plan_dft_1d;
+  static constexpr auto plan_columns = fftwf_plan_many_dft;
+  static constexpr auto execute = fftwf_execute_dft;
+  static constexpr auto destroy = fftwf_destroy_plan;
+};
+
+// Columns that are transformed together: one cache line of complex numbers in single precision, two in double.
+constexpr int together = 8;
+
+template <class Real>
+typename Fftw<Real>::Number* raw(std::complex<Real>* modes) {
+  return reinterpret_cast<typename Fftw<Real>::Number*>(modes);
+}
+
+/// Transforms along an axis beyond the first.
+template <class Real>
 struct ColumnPlans {
-  int count = 0;   // points along the axis
-  int stride = 0;  // modes between two of them: so many columns lie side by side
-  int outer = 0;   // how often such a bundle of columns comes
-  fftw_plan full[2] = {nullptr, nullptr};
-  fftw_plan rest[2] = {nullptr, nullptr};
+  int count = 0;       // points along the axis
+  int rows_apart = 0;  // rows from one of them to the next: so many bundles of columns lie side by side
+  typename Fftw<Real>::Plan full[2] = {nullptr, nullptr};
+  typename Fftw<Real>::Plan rest[2] = {nullptr, nullptr};
+};
 
-  void execute(int direction, Complex* modes) const {
-    const int groups = (stride + columns - 1) / columns;
-    const std::ptrdiff_t bundle = static_cast<std::ptrdiff_t>(count) * stride;
-#pragma omp parallel for collapse(2) schedule(static) if (outer * bundle >= parallel_threshold)
-    for (int o = 0; o < outer; ++o) {
-      for (int g = 0; g < groups; ++g) {
-        Complex* const from = modes + o * bundle + static_cast<std::ptrdiff_t>(g) * columns;
-        const bool whole = (g + 1) * columns <= stride;
-        fftw_execute_dft(whole ? full[direction] : rest[direction], raw(from), raw(from));
+}  // namespace
+
+template <class Real>
+struct FourierTransform<Real>::Plans {
+  using Fft = Fftw<Real>;
+  using Number = std::complex<Real>;
+
+  int points;  // in a row
+  int rows;
+  int kept;
+  typename Fft::Plan row[2] = {nullptr, nullptr};
+  std::vector<ColumnPlans<Real>> axes;  // the second, the third
+
+  ~Plans() {
+    for (int direction : {0, 1}) {
+      Fft::destroy(row[direction]);
+      for (const auto& axis : axes)
+        for (const auto plan : {axis.full[direction], axis.rest[direction]})
+          if (plan != nullptr) Fft::destroy(plan);
+    }
+  }
+
+  /// Two rows of complex numbers, to transform one into the other.
+  [[nodiscard]] FieldsOnGrid<Real> line() const { return FieldsOnGrid<Real>(Grid<1>{{2 * points}, {1.0}}, 2); }
+
+  // Two rows of real numbers are transformed as one of complex numbers, a + i b. Of its transform Z, that of a is the
+  // part with A(-k) = conj A(k), and i times that of b the other. In FFTW this is twice as fast as transforms of real
+  // rows.
+  void forward(const Real* a, const Real* b, FieldsOnGrid<Real>& line, Number* of_a, Number* of_b) const {
+    Real* const from = line.row(0, 0);
+    for (int x = 0; x < points; ++x) {
+      from[2 * x] = a[x];
+      from[2 * x + 1] = b[x];
+    }
+    const Number* const z = line.modes(1, 0);
+    Fft::execute(row[0], raw(line.modes(0, 0)), raw(line.modes(1, 0)));
+    const Real half = Real(0.5) / (Real(points) * Real(rows));
+    for (int n = 0; n < kept; ++n) {
+      const Number here = z[n];
+      const Number there = z[n == 0 ? 0 : points - n];
+      of_a[n] = {half * (here.real() + there.real()), half * (here.imag() - there.imag())};
+      of_b[n] = {half * (here.imag() + there.imag()), half * (there.real() - here.real())};
+    }
+  }
+  void backward(const Number* of_a, const Number* of_b, FieldsOnGrid<Real>& line, Real* a, Real* b) const {
+    Number* const z = line.modes(0, 0);
+    for (int n = 1; n < kept; ++n) {
+      z[n] = {of_a[n].real() - of_b[n].imag(), of_a[n].imag() + of_b[n].real()};
+      z[points - n] = {of_a[n].real() + of_b[n].imag(), of_b[n].real() - of_a[n].imag()};
+    }
+    std::fill(z + kept, z + std::max(kept, points - kept + 1), Number(0));
+    // These are their own conjugates.
+    z[0] = {of_a[0].real(), of_b[0].real()};
+    if (2 * (kept - 1) == points) z[kept - 1] = {of_a[kept - 1].real(), of_b[kept - 1].real()};
+    Fft::execute(row[1], raw(z), raw(line.modes(1, 0)));
+    const Real* const to = line.row(1, 0);
+    for (int x = 0; x < points; ++x) {
+      a[x] = to[2 * x];
+      b[x] = to[2 * x + 1];
+    }
+  }
+
+  void transform_columns(const ColumnPlans<Real>& axis, int direction, FieldsOnGrid<Real>& modes, int fields) const {
+    const int groups = (kept + together - 1) / together;
+    const int bundles = rows / axis.count;
+#pragma omp parallel for collapse(3) schedule(static) if (fields * rows * kept >= parallel_threshold)
+    for (int field = 0; field < fields; ++field) {
+      for (int b = 0; b < bundles; ++b) {
+        for (int g = 0; g < groups; ++g) {
+          const int first_row = b / axis.rows_apart * axis.rows_apart * axis.count + b % axis.rows_apart;
+          auto* const from = raw(modes.modes(field, first_row) + g * together);
+          const bool whole = (g + 1) * together <= kept;
+          Fft::execute(whole ? axis.full[direction] : axis.rest[direction], from, from);
+        }
       }
     }
   }
 };
 
-}  // namespace
-
-struct FourierTransform::Plans {
-  std::array<int, 3> points;
-  int modes_in_row;
-  int rows;
-  fftw_plan row_forward = nullptr;
-  fftw_plan row_backward = nullptr;
-  std::vector<ColumnPlans> axes;  // the second, the third
-
-  ~Plans() {
-    for (fftw_plan plan : {row_forward, row_backward}) fftw_destroy_plan(plan);
-    for (const ColumnPlans& axis : axes)
-      for (int direction : {0, 1})
-        for (fftw_plan plan : {axis.full[direction], axis.rest[direction]})
-          if (plan != nullptr) fftw_destroy_plan(plan);
-  }
-};
-
-// Plans are estimated, not measured: what is measured differs from run to run, and the rounding with it. They are made
-// for any alignment, since lines begin anywhere.
-FourierTransform::FourierTransform(std::array<int, 3> points, int dimension) : plans_(std::make_unique<Plans>()) {
-  constexpr unsigned flags = FFTW_ESTIMATE | FFTW_UNALIGNED;
+// Plans are estimated, not measured: what is measured differs from run to run, and the rounding with it. All lines that
+// a plan is used for are aligned as those that it is made with.
+template <class Real>
+FourierTransform<Real>::FourierTransform(std::array<int, 3> points, int dimension, int kept, FieldsOnGrid<Real> room)
+    : plans_(std::make_unique<Plans>()) {
   Plans& plans = *plans_;
-  plans.points = points;
-  plans.modes_in_row = points[0] / 2 + 1;
+  plans.points = points[0];
   plans.rows = points[1] * points[2];
-  const std::size_t modes = static_cast<std::size_t>(plans.modes_in_row) * static_cast<std::size_t>(plans.rows);
-  std::vector<double> values(static_cast<std::size_t>(points[0]));
-  std::vector<Complex> scratch(modes);
-  plans.row_forward = fftw_plan_dft_r2c_1d(points[0], values.data(), raw(scratch.data()), flags);
-  plans.row_backward = fftw_plan_dft_c2r_1d(points[0], raw(scratch.data()), values.data(), flags);
-  int stride = plans.modes_in_row;
+  plans.kept = kept;
+  const auto stride = static_cast<int>(room.row_stride() / 2);
+  auto* const modes = raw(room.modes(0, 0));
+  auto line = plans.line();
+  for (const int direction : {0, 1})
+    plans.row[direction] = Fftw<Real>::plan_row(points[0], raw(line.modes(0, 0)), raw(line.modes(1, 0)),
+                                                direction == 0 ? FFTW_FORWARD : FFTW_BACKWARD, FFTW_ESTIMATE);
+  int rows_apart = 1;
   for (int d = 1; d < dimension; ++d) {
-    ColumnPlans axis;
+    ColumnPlans<Real> axis;
     axis.count = points[d];
-    axis.stride = stride;
-    axis.outer = static_cast<int>(modes / static_cast<std::size_t>(stride * points[d]));
-    const auto plan = [&](int many, int sign) -> fftw_plan {
+    axis.rows_apart = rows_apart;
+    const auto plan = [&](int many, int sign) -> typename Fftw<Real>::Plan {
       if (many == 0) return nullptr;
-      return fftw_plan_many_dft(1, &axis.count, many, raw(scratch.data()), nullptr, stride, 1, raw(scratch.data()),
-                                nullptr, stride, 1, sign, flags);
+      const int apart = rows_apart * stride;
+      return Fftw<Real>::plan_columns(1, &axis.count, many, modes, nullptr, apart, 1, modes, nullptr, apart, 1, sign,
+                                      FFTW_ESTIMATE);
     };
     for (const int direction : {0, 1}) {
       const int sign = direction == 0 ? FFTW_FORWARD : FFTW_BACKWARD;
-      axis.full[direction] = plan(stride >= columns ? columns : 0, sign);
-      axis.rest[direction] = plan(stride % columns, sign);
+      axis.full[direction] = plan(kept >= together ? together : 0, sign);
+      axis.rest[direction] = plan(kept % together, sign);
     }
     plans.axes.push_back(axis);
-    stride *= points[d];
+    rows_apart *= points[d];
   }
 }
 
-FourierTransform::~FourierTransform() = default;
+template <class Real>
+FourierTransform<Real>::~FourierTransform() = default;
 
-void FourierTransform::forward(const double* values, Complex* modes) {
+template <class Real>
+void FourierTransform<Real>::forward(const FieldsOnGrid<Real>& values, FieldsOnGrid<Real>& modes, int fields) {
   const Plans& plans = *plans_;
-  const double scale = 1.0 / (static_cast<double>(plans.points[0]) * plans.rows);
-#pragma omp parallel for schedule(static) if (plans.rows * plans.modes_in_row >= parallel_threshold)
-  for (int row = 0; row < plans.rows; ++row) {
-    Complex* const to = modes + static_cast<std::ptrdiff_t>(row) * plans.modes_in_row;
-    // FFTW leaves what it reads as it is when a transform goes elsewhere, as this one does.
-    fftw_execute_dft_r2c(plans.row_forward,
-                         const_cast<double*>(values) + static_cast<std::ptrdiff_t>(row) * plans.points[0], raw(to));
-    for (int n = 0; n < plans.modes_in_row; ++n) to[n] *= scale;
+#pragma omp parallel if (fields * plans.rows * plans.points >= parallel_threshold)
+  {
+    auto line = plans.line();
+#pragma omp for collapse(2) schedule(static)
+    for (int field = 0; field < fields; ++field) {
+      for (int row = 0; row < plans.rows; row += 2) {
+        const int next = std::min(row + 1, plans.rows - 1);
+        plans.forward(values.row(field, row), values.row(field, next), line, modes.modes(field, row),
+                      modes.modes(field, next));
+      }
+    }
   }
-  for (const ColumnPlans& axis : plans.axes) axis.execute(0, modes);
+  for (const auto& axis : plans.axes) plans.transform_columns(axis, 0, modes, fields);
 }
 
-void FourierTransform::backward(Complex* modes, double* values) {
+template <class Real>
+void FourierTransform<Real>::backward(FieldsOnGrid<Real>& modes, FieldsOnGrid<Real>& values, int fields) {
   const Plans& plans = *plans_;
-  for (auto axis = plans.axes.rbegin(); axis != plans.axes.rend(); ++axis) axis->execute(1, modes);
-#pragma omp parallel for schedule(static) if (plans.rows * plans.modes_in_row >= parallel_threshold)
-  for (int row = 0; row < plans.rows; ++row)
-    fftw_execute_dft_c2r(plans.row_backward, raw(modes + static_cast<std::ptrdiff_t>(row) * plans.modes_in_row),
-                         values + static_cast<std::ptrdiff_t>(row) * plans.points[0]);
+  for (auto axis = plans.axes.rbegin(); axis != plans.axes.rend(); ++axis)
+    plans.transform_columns(*axis, 1, modes, fields);
+#pragma omp parallel if (fields * plans.rows * plans.points >= parallel_threshold)
+  {
+    auto line = plans.line();
+#pragma omp for collapse(2) schedule(static)
+    for (int field = 0; field < fields; ++field) {
+      for (int row = 0; row < plans.rows; row += 2) {
+        const int next = std::min(row + 1, plans.rows - 1);
+        plans.backward(modes.modes(field, row), modes.modes(field, next), line, values.row(field, row),
+                       values.row(field, next));
+      }
+    }
+  }
 }
+
+template class FourierTransform<float>;
+template class FourierTransform<double>;
 
 }  // namespace mesogen::mesh

@@ -54,7 +54,7 @@ class Flow {
     observed_.locate(particles);
     const auto modes = observed_.template modes<Dim>(particles, "velocity");
     Powers powers{std::vector<double>(modes[0].size()), std::vector<double>(modes[0].size())};
-    observed_.spectrum().for_each_mode([&](std::size_t n, const auto& k) {
+    observed_.spectrum().kept().for_each([&](std::size_t n, const auto& k) {
       std::array<mesh::Complex, Dim> u{};
       for (std::size_t d = 0; d < Dim; ++d) u[d] = modes[d][n];
       for (const mesh::Complex& component : u) powers.velocity[n] += std::norm(component);

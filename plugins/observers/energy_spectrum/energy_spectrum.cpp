@@ -120,7 +120,7 @@ class Spectrum {
   std::vector<Shell> shared_out(const std::array<std::vector<mesh::Complex>, Dim>& modes) {
     const auto& grid = observed_.grid();
     double highest = HUGE_VAL;
-    for (int d = 0; d < Dim; ++d) highest = std::min(highest, observed_.spectrum().cutoff(d));
+    for (int d = 0; d < Dim; ++d) highest = std::min(highest, observed_.spectrum().kept().cutoff(d));
     // Shells that lie within the cutoff along all axes: beyond, corners alone would be left.
     std::vector<Shell> shells(static_cast<std::size_t>(std::max(1.0, std::floor(highest / width_ - 0.5))));
     std::size_t mode = 0;

@@ -80,16 +80,19 @@ class ColourGrid {
       for (std::size_t d = 0; d < 2; ++d) position[d].push_back(point[d]);
     mesh::ParticleMesh<2> mesh(grid_);
     mesh.locate({position[0].data(), position[1].data()}, static_cast<Index>(points.size()));
-    std::vector<double> weight(grid_.point_count());
-    value_.resize(grid_.point_count());
+    mesh::FieldsOnGrid<double> sums(grid_, 2);  // of weights, and of weights times colour
     mesh.spread<2>(
         [&](Index i, double* numbers) {
           numbers[0] = 1.0;
           numbers[1] = colour[static_cast<std::size_t>(i)];
         },
-        {weight.data(), value_.data()});
-    for (std::size_t n = 0; n < value_.size(); ++n)
-      value_[n] = weight[n] > 0.0 ? value_[n] / weight[n] : std::numeric_limits<double>::quiet_NaN();
+        sums);
+    for (int j = 0; j < grid_.points[1]; ++j) {
+      for (int i = 0; i < grid_.points[0]; ++i) {
+        const double weight = sums.row(0, j)[i];
+        value_.push_back(weight > 0.0 ? sums.row(1, j)[i] / weight : std::numeric_limits<double>::quiet_NaN());
+      }
+    }
   }
 
   [[nodiscard]] double at(int i, int j) const {

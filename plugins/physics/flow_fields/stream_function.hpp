@@ -52,18 +52,19 @@ class StreamFunction {
           numbers[1] = static_cast<double>(velocity(1, i));
         },
         {u_.data(), v_.data()}, corrections);
-    spectrum_.for_each_mode([&](std::size_t n, const auto& k) {
-      const double square = k[0] * k[0] + k[1] * k[1];
-      u_[n] = square > 0.0 ? mesh::Complex(0.0, 1.0 / square) * (k[0] * v_[n] - k[1] * u_[n]) : mesh::Complex(0.0);
-    });
-    spectrum_.evaluate<1>({u_.data()}, [&](Index i, const double* there) { psi(0, i) = Real(*there); });
+    spectrum_.evaluate<1>(
+        [&](std::size_t n, const auto& k, mesh::Complex* mode) {
+          const double square = k[0] * k[0] + k[1] * k[1];
+          *mode = square > 0.0 ? mesh::Complex(0.0, 1.0 / square) * (k[0] * v_[n] - k[1] * u_[n]) : mesh::Complex(0.0);
+        },
+        [&](Index i, const double* there) { psi(0, i) = Real(*there); });
   }
 
  private:
   static constexpr int corrections = 3;
 
   mesh::ParticleSpectrum<2> spectrum_;
-  std::vector<mesh::Complex> u_;  // of the velocity, then of psi
+  std::vector<mesh::Complex> u_;  // of the velocity
   std::vector<mesh::Complex> v_;
   std::uint64_t located_ = 0;
 };

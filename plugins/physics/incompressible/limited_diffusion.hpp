@@ -4,15 +4,15 @@
 
 #include <algorithm>
 
-#include "mesogen/mesh/particle_spectrum.hpp"
+#include "mesogen/mesh/kept_modes.hpp"
 
 namespace mesogen::incompressible {
 
 /// Largest wave number that the mesh carries in every direction, 1/m.
 template <int Dim>
-double smallest_cutoff(const mesh::ParticleSpectrum<Dim>& spectrum) {
-  double least = spectrum.cutoff(0);
-  for (int d = 1; d < Dim; ++d) least = std::min(least, spectrum.cutoff(d));
+double smallest_cutoff(const mesh::KeptModes<Dim>& kept) {
+  double least = kept.cutoff(0);
+  for (int d = 1; d < Dim; ++d) least = std::min(least, kept.cutoff(d));
   return least;
 }
 

@@ -7,7 +7,9 @@
 #include <span>
 #include <vector>
 
+#include "advection.hpp"
 #include "limited_diffusion.hpp"
+#include "mesogen/mesh/particle_spectrum.hpp"
 #include "mesogen/plugin/context.hpp"
 #include "momentum.hpp"
 #include "velocity_gradient.hpp"
@@ -22,12 +24,17 @@ struct Numerics {
 template <class Real, int Dim>
 class MeshFlow {
  public:
-  using Spectrum = mesh::ParticleSpectrum<Dim>;
+  using Spectrum = mesh::ParticleSpectrum<Dim, Real>;
+  using Kept = mesh::KeptModes<Dim>;
   using Modes = std::array<Complex*, Dim>;
   using WaveVector = typename Spectrum::WaveVector;
 
   MeshFlow(const mesh::Grid<Dim>& grid, double particle_spacing, const Fluid& fluid, const Numerics& numerics)
-      : spacing_(particle_spacing), fluid_(fluid), numerics_(numerics), spectrum_(grid), momentum_(spectrum_, fluid) {
+      : spacing_(particle_spacing),
+        fluid_(fluid),
+        numerics_(numerics),
+        spectrum_(grid),
+        momentum_(spectrum_.kept(), fluid) {
     for (auto* const modes : {&midpoint_, &work_})
       for (auto& component : *modes) component.resize(spectrum_.mode_count());
   }
@@ -55,19 +62,21 @@ class MeshFlow {
       momentum_.start(context.time(), midpoint);
     }
     momentum_.velocity_at(context.time(), midpoint);
-    mean_gradient_ = incompressible::mean_gradient<Dim>(spectrum_.grid(), midpoint_, row_sums_);
+    mean_gradient_ = incompressible::mean_gradient<Dim>(spectrum_.kept(), midpoint_, row_sums_);
     const auto velocity = context.write<Real>("velocity");
     const auto gradient = context.write<Real>("velocity_gradient");
     const auto density = context.write<Real>("density");
     const auto rho = Real(fluid_.density);
-    std::array<Complex*, Dim + gradients> modes{};
-    for (int d = 0; d < Dim; ++d) modes[d] = copy(d, midpoint[d]);
-    differentiate(midpoint, modes.data() + Dim, Dim);
-    spectrum_.template evaluate<Dim + gradients>(modes, [&](Index i, const double* there) {
-      for (int d = 0; d < Dim; ++d) velocity(d, i) = Real(there[d]);
-      put_gradient<Dim>(gradient, i, there + Dim);
-      density(i) = rho;
-    });
+    spectrum_.template evaluate<Dim + gradients>(
+        [&](std::size_t n, const WaveVector& k, Complex* modes) {
+          for (int d = 0; d < Dim; ++d) modes[d] = midpoint[d][n];
+          differentiate<Dim>(k, modes, modes + Dim);
+        },
+        [&](Index i, const Real* there) {
+          for (int d = 0; d < Dim; ++d) velocity(d, i) = there[d];
+          put_gradient<Dim>(gradient, i, there + Dim);
+          density(i) = rho;
+        });
   }
 
   /// The forces of the others, at the midpoint, into the momentum equation.
@@ -83,15 +92,15 @@ class MeshFlow {
     locate(context);
     const Modes force = modes_of(work_);
     find_acceleration(context, force);
-    Complex* const modes = copy(0, force[0]);
-    spectrum_.for_each_mode([&](std::size_t n, const WaveVector& k) {
-      const double square = Spectrum::square(k);
-      Complex along(0.0);
-      for (int d = 0; d < Dim; ++d) along += k[d] * force[d][n];
-      modes[n] = square > 0.0 ? Complex(0.0, -fluid_.density / square) * along : Complex(0.0);
-    });
     const auto pressure = context.write<Real>("pressure");
-    spectrum_.template evaluate<1>({modes}, [&](Index i, const double* there) { pressure(i) = Real(*there); });
+    spectrum_.template evaluate<1>(
+        [&](std::size_t n, const WaveVector& k, Complex* mode) {
+          const double square = Kept::square(k);
+          Complex divergence(0.0);
+          for (int d = 0; d < Dim; ++d) divergence += mesh::derivative(k[d], force[d][n]);
+          *mode = square > 0.0 ? -fluid_.density / square * divergence : Complex(0.0);
+        },
+        [&](Index i, const Real* there) { pressure(i) = *there; });
   }
 
   /// The flow at the end of the step, where the particles have gone.
@@ -105,11 +114,13 @@ class MeshFlow {
     locate(context);
     momentum_.advance_to(context.time());
     const auto velocity = context.write<Real>("velocity");
-    Modes modes{};
-    for (int d = 0; d < Dim; ++d) modes[d] = copy(d, momentum_.velocity(d));
-    spectrum_.template evaluate<Dim>(modes, [&](Index i, const double* there) {
-      for (int d = 0; d < Dim; ++d) velocity(d, i) = Real(there[d]);
-    });
+    spectrum_.template evaluate<Dim>(
+        [&](std::size_t n, const WaveVector&, Complex* modes) {
+          for (int d = 0; d < Dim; ++d) modes[d] = momentum_.velocity(d)[n];
+        },
+        [&](Index i, const Real* there) {
+          for (int d = 0; d < Dim; ++d) velocity(d, i) = there[d];
+        });
   }
 
   /// The gradient of the velocity that the particles have, for readers.
@@ -118,17 +129,15 @@ class MeshFlow {
     locate(context);
     const Modes velocity = modes_of(work_);
     fit(context.read<Real>("velocity"), velocity);
-    spectrum_.for_each_mode([&](std::size_t n, const WaveVector& k) {
-      std::array<Complex, Dim> u{};
-      for (int d = 0; d < Dim; ++d) u[d] = velocity[d][n];
-      Momentum<Dim>::project(k, u);
-      for (int d = 0; d < Dim; ++d) velocity[d][n] = u[d];
-    });
     const auto gradient = context.write<Real>("velocity_gradient");
-    std::array<Complex*, gradients> modes{};
-    differentiate(velocity, modes.data(), 0);
     spectrum_.template evaluate<gradients>(
-        modes, [&](Index i, const double* there) { put_gradient<Dim>(gradient, i, there); });
+        [&](std::size_t n, const WaveVector& k, Complex* modes) {
+          std::array<Complex, Dim> u{};
+          for (int d = 0; d < Dim; ++d) u[d] = velocity[d][n];
+          Momentum<Dim>::project(k, u);
+          differentiate<Dim>(k, u.data(), modes);
+        },
+        [&](Index i, const Real* there) { put_gradient<Dim>(gradient, i, there); });
   }
 
   /// Gradient and Laplacian of the order tensor. Of what the mesh does not carry the Laplacian is that of its shortest
@@ -141,30 +150,28 @@ class MeshFlow {
     const auto q = context.read<Real>("order_tensor");
     std::array<Complex*, components> tensor{work_[0].data(), work_[1].data()};
     spectrum_.template fit<components>(
-        [&](Index i, double* numbers) {
-          for (int c = 0; c < components; ++c) numbers[c] = static_cast<double>(q(c, i));
+        [&](Index i, Real* numbers) {
+          for (int c = 0; c < components; ++c) numbers[c] = q(c, i);
         },
         tensor, numerics_.corrections);
     const double scale = diffusivity * step_size;
-    const double shortest = std::pow(smallest_cutoff(spectrum_), 2);
+    const double shortest = std::pow(smallest_cutoff(spectrum_.kept()), 2);
     const double below = shortest * limited(scale * shortest);
     constexpr int slopes = components * Dim;
-    std::array<Complex*, slopes + components> modes{};
-    for (int c = 0; c < slopes + components; ++c) modes[c] = room(c);
-    spectrum_.for_each_mode([&](std::size_t n, const WaveVector& k) {
-      const double square = Spectrum::square(k);
-      for (int c = 0; c < components; ++c) {
-        for (int d = 0; d < Dim; ++d) modes[c * Dim + d][n] = Complex(0.0, k[d]) * tensor[c][n];
-        modes[slopes + c][n] = (below - square * limited(scale * square)) * tensor[c][n];
-      }
-    });
     const auto gradient = context.write<Real>("order_tensor_gradient");
     const auto laplacian = context.write<Real>("order_tensor_laplacian");
-    spectrum_.template evaluate<slopes + components>(modes, [&](Index i, const double* there) {
-      for (int c = 0; c < slopes; ++c) gradient(c, i) = Real(there[c]);
-      for (int c = 0; c < components; ++c)
-        laplacian(c, i) = Real(there[slopes + c] - below * static_cast<double>(q(c, i)));
-    });
+    spectrum_.template evaluate<slopes + components>(
+        [&](std::size_t n, const WaveVector& k, Complex* modes) {
+          const double square = Kept::square(k);
+          for (int c = 0; c < components; ++c) {
+            for (int d = 0; d < Dim; ++d) modes[c * Dim + d] = mesh::derivative(k[d], tensor[c][n]);
+            modes[slopes + c] = (below - square * limited(scale * square)) * tensor[c][n];
+          }
+        },
+        [&](Index i, const Real* there) {
+          for (int c = 0; c < slopes; ++c) gradient(c, i) = there[c];
+          for (int c = 0; c < components; ++c) laplacian(c, i) = there[slopes + c] - Real(below) * q(c, i);
+        });
   }
 
   /// Moves particles from where they are dense to where they are sparse: a velocity v with div v = s delta takes
@@ -177,21 +184,21 @@ class MeshFlow {
     double rate = numerics_.shift * mean_gradient_;
     if (step > 0.0) rate = std::min(rate, 0.5 / step);
     const double fastest = step > 0.0 ? farthest_shift * spacing_ / step : 0.0;
-    Modes modes{};
-    for (int d = 0; d < Dim; ++d) modes[d] = room(d);
-    spectrum_.for_each_mode([&](std::size_t n, const WaveVector& k) {
-      const double square = Spectrum::square(k);
-      for (int d = 0; d < Dim; ++d)
-        modes[d][n] = square > 0.0 ? Complex(0.0, -rate * k[d] / square) * uneven[n] : Complex(0.0);
-    });
     const auto shift = context.write<Real>("shift_velocity");
-    spectrum_.template evaluate<Dim>(modes, [&](Index i, const double* there) {
-      double square = 0.0;
-      for (int d = 0; d < Dim; ++d) square += there[d] * there[d];
-      const double most = std::sqrt(square);
-      const double part = most > fastest ? fastest / most : 1.0;
-      for (int d = 0; d < Dim; ++d) shift(d, i) += Real(part * there[d]);
-    });
+    const auto most = static_cast<Real>(fastest);
+    spectrum_.template evaluate<Dim>(
+        [&](std::size_t n, const WaveVector& k, Complex* modes) {
+          const double square = Kept::square(k);
+          for (int d = 0; d < Dim; ++d)
+            modes[d] = square > 0.0 ? mesh::derivative(-rate * k[d] / square, uneven[n]) : Complex(0.0);
+        },
+        [&](Index i, const Real* there) {
+          Real square = Real(0);
+          for (int d = 0; d < Dim; ++d) square += there[d] * there[d];
+          const Real speed = std::sqrt(square);
+          const Real part = speed > most ? most / speed : Real(1);
+          for (int d = 0; d < Dim; ++d) shift(d, i) += part * there[d];
+        });
   }
 
  private:
@@ -208,8 +215,8 @@ class MeshFlow {
 
   void fit(const FieldView<const Real>& vector, const Modes& modes) {
     spectrum_.template fit<Dim>(
-        [&](Index i, double* numbers) {
-          for (int d = 0; d < Dim; ++d) numbers[d] = static_cast<double>(vector(d, i));
+        [&](Index i, Real* numbers) {
+          for (int d = 0; d < Dim; ++d) numbers[d] = vector(d, i);
         },
         modes, numerics_.corrections);
   }
@@ -220,53 +227,18 @@ class MeshFlow {
     fit(context.read<Real>("acceleration"), force);
     if (fluid_.friction > 0.0) {
       const double add = fluid_.friction / fluid_.density;
-      spectrum_.for_each_mode([&](std::size_t n, const WaveVector&) {
+      spectrum_.kept().for_each([&](std::size_t n, const WaveVector&) {
         for (int d = 0; d < Dim; ++d) force[d][n] += add * midpoint_[d][n];
       });
     }
-    if (fluid_.inertia) add_advection(force);
+    if (!fluid_.inertia) return;
+    // The mesh goes with the mean.
+    const auto relative = [&](std::size_t n, Complex* numbers) {
+      for (int d = 0; d < Dim; ++d) numbers[d] = n == 0 ? Complex(0.0) : midpoint_[d][n];
+    };
+    subtract_advection<Dim>(spectrum_.transform(), relative, force);
   }
 
-  void add_advection(const Modes& force) {
-    points_.resize(Dim + 1);
-    for (auto& values : points_) values.resize(spectrum_.grid().point_count());
-    for (int d = 0; d < Dim; ++d) {
-      Complex* const relative = copy(d, midpoint_[d].data());
-      relative[0] = 0.0;  // the mesh goes with the mean
-      spectrum_.transform().backward(relative, points_[d].data());
-    }
-    const auto count = static_cast<std::ptrdiff_t>(points_[0].size());
-    Complex* const flux = room(0);
-    for (int a = 0; a < Dim; ++a) {
-      for (int b = a; b < Dim; ++b) {
-#pragma omp parallel for schedule(static) if (count >= mesh::parallel_threshold)
-        for (std::ptrdiff_t x = 0; x < count; ++x) points_[Dim][x] = points_[a][x] * points_[b][x];
-        spectrum_.transform().forward(points_[Dim].data(), flux);
-        spectrum_.for_each_mode([&](std::size_t n, const WaveVector& k) {
-          if (!spectrum_.has(n)) return;
-          force[a][n] -= Complex(0.0, k[b]) * flux[n];
-          if (a != b) force[b][n] -= Complex(0.0, k[a]) * flux[n];
-        });
-      }
-    }
-  }
-
-  /// Modes of all elements of the gradient but the last, put into room from `first` on.
-  void differentiate(const Modes& velocity, Complex** gradient, int first) {
-    for (int c = 0; c < gradients; ++c) gradient[c] = room(first + c);
-    spectrum_.for_each_mode([&](std::size_t n, const WaveVector& k) {
-      for (int c = 0; c < gradients; ++c) gradient[c][n] = Complex(0.0, k[c % Dim]) * velocity[c / Dim][n];
-    });
-  }
-  Complex* room(int n) {
-    if (static_cast<int>(rooms_.size()) <= n) rooms_.resize(static_cast<std::size_t>(n) + 1);
-    rooms_[static_cast<std::size_t>(n)].resize(spectrum_.mode_count());
-    return rooms_[static_cast<std::size_t>(n)].data();
-  }
-  Complex* copy(int n, const Complex* modes) {
-    std::copy(modes, modes + spectrum_.mode_count(), room(n));
-    return room(n);
-  }
   Modes modes_of(std::array<std::vector<Complex>, Dim>& all) {
     Modes modes{};
     for (int d = 0; d < Dim; ++d) modes[d] = all[d].data();
@@ -284,8 +256,6 @@ class MeshFlow {
   std::array<double, Dim> located_from_{};
   std::array<std::vector<Complex>, Dim> midpoint_;  // the velocity
   std::array<std::vector<Complex>, Dim> work_;
-  std::vector<std::vector<Complex>> rooms_;
-  std::vector<std::vector<double>> points_;
   std::vector<double> row_sums_;
   double mean_gradient_ = 0.0;  // 1/s
 };

@@ -16,7 +16,7 @@
 #include <span>
 #include <vector>
 
-#include "mesogen/mesh/particle_spectrum.hpp"
+#include "mesogen/mesh/kept_modes.hpp"
 
 namespace mesogen::incompressible {
 
@@ -29,28 +29,28 @@ struct Fluid {
   bool inertia = true;
 };
 
-/// (1 - exp(-z)) / z
-inline double phi1(double z) { return z < 1e-8 ? 1.0 - z / 2.0 : -std::expm1(-z) / z; }
-/// (1 - phi1(z)) / z
-inline double phi2(double z) { return z < 1e-3 ? 0.5 - z / 6.0 + z * z / 24.0 : (1.0 - phi1(z)) / z; }
+/// (1 - exp(-z)) / z, with decay = exp(-z) - 1.
+inline double phi1(double z, double decay) { return z < 1e-8 ? 1.0 - z / 2.0 : -decay / z; }
+/// (1 - phi1(z)) / z, with first = phi1(z).
+inline double phi2(double z, double first) { return z < 1e-3 ? 0.5 - z / 6.0 + z * z / 24.0 : (1.0 - first) / z; }
 
 template <int Dim>
 class Momentum {
  public:
-  using Spectrum = mesh::ParticleSpectrum<Dim>;
+  using Kept = mesh::KeptModes<Dim>;
   using Modes = std::array<Complex*, Dim>;
-  using WaveVector = typename Spectrum::WaveVector;
+  using WaveVector = typename Kept::WaveVector;
 
-  Momentum(const Spectrum& spectrum, const Fluid& fluid)
-      : spectrum_(spectrum),
+  Momentum(const Kept& modes, const Fluid& fluid)
+      : modes_(modes),
         fluid_(fluid),
-        velocity_(Dim * spectrum.mode_count()),
+        velocity_(Dim * modes.mode_count()),
         older_(velocity_.size()),
         newer_(velocity_.size()) {}
 
   /// Leaves of a wave what has no divergence.
   static void project(const WaveVector& k, std::array<Complex, Dim>& u) {
-    const double square = Spectrum::square(k);
+    const double square = Kept::square(k);
     Complex along(0.0);
     for (int d = 0; d < Dim; ++d) along += k[d] * u[d];
     if (square == 0.0) return;
@@ -60,11 +60,11 @@ class Momentum {
   /// A flow with these velocities begins; what divergence they have is taken out.
   void start(double time, const Modes& velocity) {
     times_ = {time, 0.0, 0.0, 0.0};
-    spectrum_.for_each_mode([&](std::size_t n, const WaveVector& k) {
+    modes_.for_each([&](std::size_t n, const WaveVector& k) {
       std::array<Complex, Dim> u{};
       for (int d = 0; d < Dim; ++d) u[d] = fluid_.inertia ? velocity[d][n] : Complex(0.0);
       project(k, u);
-      for (int d = 0; d < Dim; ++d) component(velocity_, d)[n] = spectrum_.has(n) ? u[d] : Complex(0.0);
+      for (int d = 0; d < Dim; ++d) component(velocity_, d)[n] = u[d];
     });
   }
 
@@ -73,13 +73,13 @@ class Momentum {
     times_[older] = times_[newer];
     times_[newer] = time;
     times_[known] = std::min(times_[known] + 1.0, 2.0);
-    spectrum_.for_each_mode([&](std::size_t n, const WaveVector& k) {
+    modes_.for_each([&](std::size_t n, const WaveVector& k) {
       std::array<Complex, Dim> a{};
       for (int d = 0; d < Dim; ++d) a[d] = acceleration[d][n];
       project(k, a);
       for (int d = 0; d < Dim; ++d) {
         component(older_, d)[n] = component(newer_, d)[n];
-        component(newer_, d)[n] = spectrum_.has(n) ? a[d] : Complex(0.0);
+        component(newer_, d)[n] = a[d];
       }
     });
   }
@@ -91,17 +91,19 @@ class Momentum {
     // N = newer + (newer - older) (t - t_newer) / (t_newer - t_older)
     const double per_time = two ? 1.0 / (times_[newer] - times_[older]) : 0.0;
     const double at_start = (times_[start_of_step] - times_[newer]) * per_time;
-    spectrum_.for_each_mode([&](std::size_t n, const WaveVector& k) {
-      const double rate = (fluid_.viscosity * Spectrum::square(k) + fluid_.friction) / fluid_.density;
+    modes_.for_each([&](std::size_t n, const WaveVector& k) {
+      const double rate = (fluid_.viscosity * Kept::square(k) + fluid_.friction) / fluid_.density;
       // u = of_start u_start + constant N_start + slope dN/dt
       double of_start = 0.0;
       double constant = rate > 0.0 ? 1.0 / rate : 0.0;
       double slope = span * constant;
       if (fluid_.inertia) {
         const double z = rate * span;
-        of_start = std::exp(-z);
-        constant = span * phi1(z);
-        slope = span * span * phi2(z);
+        const double decay = std::expm1(-z);
+        const double first = phi1(z, decay);
+        of_start = 1.0 + decay;
+        constant = span * first;
+        slope = span * span * phi2(z, first);
       }
       const double of_newer = constant * (1.0 + at_start) + slope * per_time;
       const double of_older = -constant * at_start - slope * per_time;
@@ -133,17 +135,17 @@ class Momentum {
   enum Time { start_of_step, older, newer, known };
 
   [[nodiscard]] Complex* component(std::vector<Complex>& all, int d) const {
-    return all.data() + static_cast<std::size_t>(d) * spectrum_.mode_count();
+    return all.data() + static_cast<std::size_t>(d) * modes_.mode_count();
   }
   [[nodiscard]] const Complex* component(const std::vector<Complex>& all, int d) const {
-    return all.data() + static_cast<std::size_t>(d) * spectrum_.mode_count();
+    return all.data() + static_cast<std::size_t>(d) * modes_.mode_count();
   }
   [[nodiscard]] Modes modes_of(std::vector<Complex>& all) const {
     Modes modes{};
     for (int d = 0; d < Dim; ++d) modes[d] = component(all, d);
     return modes;
   }
-  const Spectrum& spectrum_;
+  const Kept& modes_;
   Fluid fluid_;
   std::vector<Complex> velocity_;  // at the start of the step, component after component
   std::vector<Complex> older_;     // N at the last midpoints

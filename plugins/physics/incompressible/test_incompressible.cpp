@@ -100,13 +100,13 @@ TEST(Incompressible, PressureTakesWhatHasDivergence) {
 // Whatever drives it and however it started: k . u = 0 for every mode, to rounding.
 TEST(Incompressible, ModesOfTheVelocityHaveNoDivergence) {
   using incompressible::Momentum;
-  mesh::ParticleSpectrum<2> spectrum({{16, 12}, {1.0, 1.5}});
-  Momentum<2> momentum(spectrum, {.density = 2.0, .viscosity = 0.1, .friction = 0.3});
+  const mesh::KeptModes<2> kept({{16, 12}, {1.0, 1.5}});
+  Momentum<2> momentum(kept, {.density = 2.0, .viscosity = 0.1, .friction = 0.3});
   std::array<std::vector<mesh::Complex>, 2> noise;
   const Momentum<2>::Modes modes = [&] {
     Momentum<2>::Modes all{};
     for (int d = 0; d < 2; ++d) {
-      for (std::size_t n = 0; n < spectrum.mode_count(); ++n)
+      for (std::size_t n = 0; n < kept.mode_count(); ++n)
         noise[d].emplace_back(exec::random_uniform(1, static_cast<std::int64_t>(n), 2 * d) - 0.5,
                               exec::random_uniform(1, static_cast<std::int64_t>(n), 2 * d + 1) - 0.5);
       all[d] = noise[d].data();
@@ -118,7 +118,7 @@ TEST(Incompressible, ModesOfTheVelocityHaveNoDivergence) {
   momentum.advance_to(0.1);
   double largest = 0.0;
   double divergence = 0.0;
-  spectrum.for_each_mode([&](std::size_t n, const auto& wave) {
+  kept.for_each([&](std::size_t n, const auto& wave) {
     const auto u = momentum.velocity(0)[n];
     const auto v = momentum.velocity(1)[n];
 #pragma omp critical

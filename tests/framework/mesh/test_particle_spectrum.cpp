@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <vector>
@@ -37,11 +38,13 @@ struct Particles {
 };
 
 /// Root mean square difference of all modes from those of Particles::wave.
+template <class Real = double>
 double error_of_fit(const Particles& particles, int points, int corrections) {
-  ParticleSpectrum<2> spectrum(Grid<2>{{points, points}, {length, length}});
+  ParticleSpectrum<2, Real> spectrum(Grid<2>{{points, points}, {length, length}});
   spectrum.locate({particles.x.data(), particles.y.data()}, particles.count());
   std::vector<Complex> modes(spectrum.mode_count());
-  spectrum.fit<1>([&](Index i, double* number) { *number = particles.wave(i); }, {modes.data()}, corrections);
+  spectrum.template fit<1>([&](Index i, Real* number) { *number = static_cast<Real>(particles.wave(i)); },
+                           {modes.data()}, corrections);
   double square = 0.0;
   const int in_row = spectrum.grid().modes_in_row();
   for (std::size_t n = 0; n < modes.size(); ++n) {
@@ -66,23 +69,48 @@ TEST(ParticleSpectrum, CorrectionsFindItOnDisorderedParticles) {
   EXPECT_LT(without, 0.02);
   EXPECT_LT(one, 0.3 * without);
   EXPECT_LT(three, 0.3 * one);
+  EXPECT_NEAR(error_of_fit<float>(particles, 32, 3), three, 1e-6);
 }
 
 TEST(ParticleSpectrum, AWaveIsInterpolatedToFourthOrder) {
   const Particles particles(20, 0.4);
-  const auto error = [&](int points) {
-    ParticleSpectrum<2> spectrum(Grid<2>{{points, points}, {length, length}});
+  const auto error = [&]<class Real>(int points, Real) {
+    ParticleSpectrum<2, Real> spectrum(Grid<2>{{points, points}, {length, length}});
     spectrum.locate({particles.x.data(), particles.y.data()}, particles.count());
-    std::vector<Complex> modes(spectrum.mode_count());
-    modes[static_cast<std::size_t>((points - 2) * spectrum.grid().modes_in_row() + 3)] = std::polar(0.5, 0.4);
+    const std::size_t wave = static_cast<std::size_t>((points - 2) * spectrum.grid().modes_in_row() + 3);
     std::vector<double> off(static_cast<std::size_t>(particles.count()));
-    spectrum.evaluate<1>({modes.data()}, [&](Index i, const double* there) {
-      off[static_cast<std::size_t>(i)] = std::abs(*there - particles.wave(i));
-    });
+    spectrum.template evaluate<1>(
+        [&](std::size_t n, const auto& k, Complex* mode) {
+          *mode = n == wave ? std::polar(0.5, 0.4) : Complex(0.0);
+          if (n != wave) return;
+          ASSERT_NEAR(k[0], 3.0 * 2.0 * std::numbers::pi / length, 1e-12);
+          ASSERT_NEAR(k[1], -2.0 * 2.0 * std::numbers::pi / length, 1e-12);
+        },
+        [&](Index i, const Real* there) {
+          off[static_cast<std::size_t>(i)] = std::abs(static_cast<double>(*there) - particles.wave(i));
+        });
     return *std::ranges::max_element(off);
   };
-  EXPECT_LT(error(24), 2e-2);
-  EXPECT_NEAR(std::log2(error(16) / error(32)), 4.0, 0.5);
+  EXPECT_LT(error(24, 0.0), 2e-2);
+  EXPECT_NEAR(std::log2(error(16, 0.0) / error(32, 0.0)), 4.0, 0.5);
+  EXPECT_NEAR(error(32, 0.0F), error(32, 0.0), 1e-6);
+}
+
+TEST(ParticleSpectrum, ModesAreKeptUpToTwoThirdsAlongEachAxis) {
+  const KeptModes<2> kept(Grid<2>{{24, 12}, {length, length}});
+  std::vector<int> visits(kept.mode_count());
+  kept.for_each([&](std::size_t n, const auto& k) {
+    ++visits[n];
+    EXPECT_LE(std::abs(k[0]), kept.cutoff(0) + 1e-9);
+    EXPECT_LE(std::abs(k[1]), kept.cutoff(1) + 1e-9);
+  });
+  EXPECT_EQ(kept.in_row(), 9);
+  EXPECT_EQ(kept.in_row(4), 9);
+  EXPECT_EQ(kept.in_row(5), 0);
+  EXPECT_EQ(kept.in_row(8), 9);
+  // Wave numbers 0 to 8 along x, -4 to 4 along y, each once.
+  EXPECT_EQ(std::ranges::count(visits, 1), 81);
+  EXPECT_EQ(std::ranges::count(visits, 0), 13 * 12 - 81);
 }
 
 TEST(ParticleSpectrum, UnevennessIsTheDensityOfParticles) {

@@ -11,39 +11,22 @@
 #include <vector>
 
 #include "mesogen/fields/field_view.hpp"
-#include "mesogen/mesh/cubic_spline.hpp"
 #include "mesogen/mesh/grid.hpp"
 
 namespace mesogen::mesh {
 
-/// Particles sorted by the grid cell in which they are, with the points of the grid near them and the weights of cubic
-/// B-splines there. The order depends only on positions and storage, not on the number of threads.
-template <int Dim>
+/// Particles sorted by the row of grid cells in which they are, with their places there. Particles of one row stay in
+/// the order of storage: near each other in memory, and the same for any number of threads.
+template <int Dim, class Real>
 class LocatedParticles {
   static_assert(Dim > 1 && Dim <= 3);
-  static constexpr int reach = CubicSpline::points;
   static constexpr int last = Dim - 1;
 
  public:
-  /// Rows that a particle uses: `reach` along each axis but the first.
-  static constexpr int reach_of_rows = [] {
-    int rows = 1;
-    for (int d = 1; d < Dim; ++d) rows *= reach;
-    return rows;
-  }();
-
   struct Located {
     Index particle;
-    int column;                 // of the first point that it uses, along the first axis
-    int row;                    // the same along the other axes, numbered as by Grid::row_coordinates
-    double weight[Dim][reach];  // of the points from the first on
-
-    /// Weight of the r-th row.
-    [[gnu::always_inline]] [[nodiscard]] double across(int r) const {
-      double product = weight[1][r % reach];
-      if constexpr (Dim > 2) product *= weight[last][r / reach];
-      return product;
-    }
+    int column;          // of the point below its cell, along the first axis
+    Real fraction[Dim];  // position in the cell, 0 to 1
   };
 
   explicit LocatedParticles(const Grid<Dim>& grid)
@@ -52,28 +35,53 @@ class LocatedParticles {
   }
 
   [[nodiscard]] Index count() const { return static_cast<Index>(located_.size()); }
-  /// The n-th in the order of cells.
+  /// The n-th in the order of rows.
   [[nodiscard]] const Located& operator[](Index n) const { return located_[static_cast<std::size_t>(n)]; }
-  /// The first whose points begin in this row or a later one.
+  /// The first whose points begin in this row (numbered as by Grid::row_coordinates) or a later one.
   [[nodiscard]] Index begin_of_row(int row) const { return begin_[static_cast<std::size_t>(row)]; }
 
   /// Takes the positions of the particles, m. Of a particle outside the box, its periodic image inside is used.
   /// `origin`: position of the first point of the grid, m. All positions must be finite.
+  ///
+  /// This is a counting sort. Each thread counts and moves particles that are contiguous in storage.
   void locate(const std::array<const double*, Dim>& position, Index count, const std::array<double, Dim>& origin = {}) {
     origin_ = origin;
     located_.resize(static_cast<std::size_t>(count));
     row_of_.resize(located_.size());
-    in_row_.resize(located_.size());
-    sort_by_row(position, count);
-    place_rows(position);
+    const auto rows = static_cast<std::size_t>(grid_.row_count());
+#pragma omp parallel
+    {
+      const auto thread = static_cast<std::size_t>(omp_get_thread_num());
+#pragma omp single
+      next_.resize(static_cast<std::size_t>(omp_get_num_threads()));
+      std::vector<Index>& own = next_[thread];
+      own.assign(rows, 0);
+#pragma omp for schedule(static)
+      for (Index i = 0; i < count; ++i) {
+        int row = 0;
+        for (int d = last; d > 0; --d)
+          row = row * grid_.points[d] + first_point(d, std::floor(in_cells(d, position[d][i])));
+        row_of_[static_cast<std::size_t>(i)] = row;
+        ++own[static_cast<std::size_t>(row)];
+      }
+#pragma omp single
+      {
+        Index total = 0;
+        for (std::size_t row = 0; row < rows; ++row) {
+          begin_[row] = total;
+          for (auto& of_thread : next_) total += std::exchange(of_thread[row], total);
+        }
+        begin_[rows] = total;
+      }
+#pragma omp for schedule(static)
+      for (Index i = 0; i < count; ++i) {
+        const Index to = own[static_cast<std::size_t>(row_of_[static_cast<std::size_t>(i)])]++;
+        located_[static_cast<std::size_t>(to)] = place(position, i);
+      }
+    }
   }
 
  private:
-  struct InRow {
-    Index particle;
-    int column;
-  };
-
   /// Distance of a coordinate from the origin, in cells.
   [[nodiscard]] double in_cells(int d, double x) const { return (x - origin_[d]) * cells_per_length_[d]; }
 
@@ -88,85 +96,22 @@ class LocatedParticles {
   [[nodiscard]] Located place(const std::array<const double*, Dim>& position, Index i) const {
     Located where{};
     where.particle = i;
-    for (int d = last; d >= 0; --d) {
+    for (int d = 0; d < Dim; ++d) {
       const double x = in_cells(d, position[d][i]);
       const double cell = std::floor(x);
-      CubicSpline::weights(x - cell, where.weight[d]);
-      if (d == 0) {
-        where.column = first_point(d, cell);
-      } else {
-        where.row = where.row * grid_.points[d] + first_point(d, cell);
-      }
+      where.fraction[d] = static_cast<Real>(x - cell);
+      if (d == 0) where.column = first_point(d, cell);
     }
     return where;
-  }
-
-  // A counting sort. Each thread counts and moves particles that are contiguous in storage. Therefore particles of one
-  // row stay in the order of storage, whatever the number of threads.
-  void sort_by_row(const std::array<const double*, Dim>& position, Index count) {
-    const auto rows = static_cast<std::size_t>(grid_.row_count());
-    std::vector<std::vector<Index>> next;  // by thread and row: place of its next particle
-#pragma omp parallel
-    {
-      const auto thread = static_cast<std::size_t>(omp_get_thread_num());
-#pragma omp single
-      next.assign(static_cast<std::size_t>(omp_get_num_threads()), std::vector<Index>(rows, 0));
-      auto& own = next[thread];
-#pragma omp for schedule(static)
-      for (Index i = 0; i < count; ++i) {
-        int row = 0;
-        for (int d = last; d > 0; --d)
-          row = row * grid_.points[d] + first_point(d, std::floor(in_cells(d, position[d][i])));
-        row_of_[static_cast<std::size_t>(i)] = row;
-        ++own[static_cast<std::size_t>(row)];
-      }
-#pragma omp single
-      {
-        Index total = 0;
-        for (std::size_t row = 0; row < rows; ++row) {
-          begin_[row] = total;
-          for (auto& of_thread : next) total += std::exchange(of_thread[row], total);
-        }
-        begin_[rows] = total;
-      }
-#pragma omp for schedule(static)
-      for (Index i = 0; i < count; ++i) {
-        const Index to = own[static_cast<std::size_t>(row_of_[static_cast<std::size_t>(i)])]++;
-        in_row_[static_cast<std::size_t>(to)] = {i, first_point(0, std::floor(in_cells(0, position[0][i])))};
-      }
-    }
-  }
-
-  // A counting sort by column within each row. Particles of one column stay in the order of storage.
-  void place_rows(const std::array<const double*, Dim>& position) {
-    const int rows = grid_.row_count();
-#pragma omp parallel
-    {
-      std::vector<Index> next(static_cast<std::size_t>(grid_.points[0]) + 1);
-#pragma omp for schedule(static)
-      for (int row = 0; row < rows; ++row) {
-        const Index begin = begin_[static_cast<std::size_t>(row)];
-        const Index end = begin_[static_cast<std::size_t>(row) + 1];
-        std::fill(next.begin(), next.end(), 0);
-        for (Index n = begin; n < end; ++n)
-          ++next[static_cast<std::size_t>(in_row_[static_cast<std::size_t>(n)].column) + 1];
-        for (std::size_t column = 1; column < next.size(); ++column) next[column] += next[column - 1];
-        for (Index n = begin; n < end; ++n) {
-          const InRow& one = in_row_[static_cast<std::size_t>(n)];
-          const Index to = begin + next[static_cast<std::size_t>(one.column)]++;
-          located_[static_cast<std::size_t>(to)] = place(position, one.particle);
-        }
-      }
-    }
   }
 
   Grid<Dim> grid_;
   std::array<double, Dim> cells_per_length_{};
   std::array<double, Dim> origin_{};
-  std::vector<Located> located_;  // by cell
-  std::vector<InRow> in_row_;     // by row, then in the order of storage
-  std::vector<int> row_of_;
-  std::vector<Index> begin_;  // of each row's particles in located_, and one more
+  std::vector<Located> located_;          // by row
+  std::vector<int> row_of_;               // by particle
+  std::vector<std::vector<Index>> next_;  // by thread and row: place of its next particle
+  std::vector<Index> begin_;              // of each row's particles in located_, and one more
 };
 
 }  // namespace mesogen::mesh

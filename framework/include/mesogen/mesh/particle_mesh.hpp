@@ -2,29 +2,35 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <vector>
 
-#include "mesogen/mesh/four_points.hpp"
+#include "mesogen/mesh/cubic_spline.hpp"
+#include "mesogen/mesh/fields_on_grid.hpp"
 #include "mesogen/mesh/located_particles.hpp"
 
 namespace mesogen::mesh {
 
 /// Spreads numbers of particles to the points of a grid near them, and interpolates numbers at points to particles,
-/// both with cubic B-splines.
+/// both with cubic B-splines. `Real` is the precision of the numbers and of the weights.
 ///
 /// The grid is cut into slabs, each a number of layers along the last axis. Each slab is summed by itself, and then the
 /// slabs are added. The order of the additions depends only on positions and storage, so results are the same bits for
 /// any number of threads.
-template <int Dim>
+template <int Dim, class Real = double>
 class ParticleMesh {
-  using Located = typename LocatedParticles<Dim>::Located;
-  static constexpr int reach_of_rows = LocatedParticles<Dim>::reach_of_rows;
+  using Located = typename LocatedParticles<Dim, Real>::Located;
   static constexpr int reach = CubicSpline::points;
   static constexpr int last = Dim - 1;
   static constexpr int layers_in_slab = 8;
+  static constexpr Index parts_of_row = 8;
+  /// Rows that a particle uses: `reach` along each axis but the first.
+  static constexpr int reach_of_rows = Dim > 2 ? reach* reach : reach;
 
  public:
+  using Fields = FieldsOnGrid<Real>;
+
   explicit ParticleMesh(const Grid<Dim>& grid)
       : grid_(grid),
         line_(grid.points[0] + reach - 1),
@@ -39,150 +45,225 @@ class ParticleMesh {
     particles_.locate(position, count, origin);
   }
 
-  /// Sets out[c](x) = sum over particles of weight(x - x_i) value_c(i). value(i, numbers) must write the `Count`
-  /// numbers of particle i.
+  /// Sets the first `Count` fields: out(c, x) = sum over particles of weight(x - x_i) value_c(i). value(i, numbers)
+  /// must write the `Count` numbers of particle i. finish(row) is called for every row of the grid when it is complete,
+  /// in parallel.
+  template <int Count, class Value, class Finish>
+  void spread(const Value& value, Fields& out, const Finish& finish) {
+    sum_slabs<Count, false>(value);
+    put_together<Count>(out, finish);
+  }
   template <int Count, class Value>
-  void spread(const Value& value, const std::array<double*, Count>& out) {
-    const int layers = grid_.points[last];
-    const int slabs = (layers + layers_in_slab - 1) / layers_in_slab;
-    const std::ptrdiff_t layer = static_cast<std::ptrdiff_t>(line_) * lines_in_layer_;
-    const std::ptrdiff_t field = layer * (layers_in_slab + reach - 1);
-    slab_.resize(static_cast<std::size_t>(field * Count * slabs));
-#pragma omp parallel for schedule(static)
-    for (int s = 0; s < slabs; ++s) {
-      double* const slab = slab_.data() + s * field * Count;
-      std::fill(slab, slab + field * Count, 0.0);
-      const int first = s * layers_in_slab;
-      const int end = std::min(layers, first + layers_in_slab);
-      for (Index n = begin_of_layer(first); n < begin_of_layer(end); ++n)
-        add<Count>(particles_[n], first, value, slab, field);
-    }
-#pragma omp parallel for schedule(static) if (grid_.point_count() >= parallel_threshold)
-    for (int row = 0; row < grid_.row_count(); ++row) put_together<Count>(row, field, layer, out);
+  void spread(const Value& value, Fields& out) {
+    spread<Count>(value, out, [](int) {});
   }
 
-  /// Calls take(i, numbers) for every particle, with the values that the `Count` fields on the grid have there.
+  /// Replaces the first `Count` fields by what they miss at the particles: as spread(), of value(i, numbers) minus what
+  /// the fields have at particle i.
+  template <int Count, class Value, class Finish>
+  void spread_missing(const Value& value, Fields& fields, const Finish& finish) {
+    interleave<Count>(fields);
+    sum_slabs<Count, true>(value);
+    put_together<Count>(fields, finish);
+  }
+
+  /// Calls take(i, numbers) for every particle, with the values that the first `Count` fields have there.
   template <int Count, class Take>
-  void gather(const std::array<const double*, Count>& from, const Take& take) {
-    const int columns = grid_.points[0];
-    const int rows = grid_.row_count();
-    // Each row is followed by a copy of its first points.
-    const std::ptrdiff_t field = static_cast<std::ptrdiff_t>(line_) * rows;
-    lines_.resize(static_cast<std::size_t>(field * Count));
-#pragma omp parallel for schedule(static) if (grid_.point_count() >= parallel_threshold)
-    for (int row = 0; row < rows; ++row) {
-      for (int c = 0; c < Count; ++c) {
-        double* const line = lines_.data() + c * field + static_cast<std::ptrdiff_t>(row) * line_;
-        const double* const values = from[c] + static_cast<std::ptrdiff_t>(row) * columns;
-        std::copy(values, values + columns, line);
-        std::copy(values, values + reach - 1, line + columns);
-      }
-    }
+  void gather(const Fields& fields, const Take& take) {
+    interleave<Count>(fields);
 #pragma omp parallel for schedule(static)
-    for (int row = 0; row < rows; ++row) {
-      const double* line[reach_of_rows];
-      rows_above(row, line);
+    for (int row = 0; row < grid_.row_count(); ++row) {
+      const From from = rows_above(row, width<Count>);
       for (Index n = particles_.begin_of_row(row); n < particles_.begin_of_row(row + 1); ++n) {
-        const Located& where = particles_[n];
-        double numbers[Count];
-        const FourPoints along = load(where.weight[0]);
-        FourPoints sums[Count];
-        for (int c = 0; c < Count; ++c) sums[c] = FourPoints(0.0);
-        for (int r = 0; r < reach_of_rows; ++r) {
-          const FourPoints weight = along * FourPoints(where.across(r));
-          const double* const values = line[r] + where.column;
-          for (int c = 0; c < Count; ++c) sums[c] = sums[c] + weight * load(values + c * field);
-        }
-        for (int c = 0; c < Count; ++c) numbers[c] = sum(sums[c]);
-        take(where.particle, numbers);
+        Real numbers[width<Count>];
+        interpolate(Weights<width<Count>>(particles_[n]), from, numbers);
+        take(particles_[n].particle, numbers);
       }
     }
   }
 
  private:
   static constexpr bool layers_are_rows = last == 1;
+  /// The rows of lines_ that particles of a row use, the second axis fastest.
+  using From = std::array<const Real*, reach_of_rows>;
 
-  [[nodiscard]] Index begin_of_layer(int layer) const {
-    return particles_.begin_of_row(layer * (layers_are_rows ? 1 : grid_.points[1]));
+  /// Fields that are stored point by point, so that a pack holds some of them at all four points. There is room for as
+  /// many as a power of 2.
+  template <int Count>
+  static constexpr int width = static_cast<int>(std::bit_ceil(static_cast<unsigned>(Count)));
+
+  /// The points that a particle uses: the first, and weights along the first axis and of the rows.
+  template <int Width>
+  struct Weights {
+    std::ptrdiff_t column;
+    FourPoints<Real, Width> along;
+    Real across[reach_of_rows];
+
+    [[gnu::always_inline]] explicit Weights(const Located& where)
+        : column(where.column), along(CubicSpline::weights<Width>(where.fraction[0])) {
+      Real of_second[reach];
+      store(CubicSpline::weights<1>(where.fraction[1]), of_second);
+      Real of_last[reach];
+      if constexpr (Dim > 2) store(CubicSpline::weights<1>(where.fraction[last]), of_last);
+      for (int r = 0; r < reach_of_rows; ++r) {
+        across[r] = of_second[r % reach];
+        if constexpr (Dim > 2) across[r] *= of_last[r / reach];
+      }
+    }
+  };
+
+  template <int Width>
+  [[gnu::always_inline]] static void interpolate(const Weights<Width>& weights, const From& from, Real* numbers) {
+    using Pack = FourPoints<Real, Width>;
+    Pack sum(Real(0));
+    for (int r = 0; r < reach_of_rows; ++r) {
+      const auto points = load<Pack>(from[static_cast<std::size_t>(r)] + weights.column * Width);
+      sum = sum + weights.along * points * Pack(weights.across[r]);
+    }
+    add_points<Width>(sum, numbers);
   }
 
-  template <int Count, class Value>
-  void add(const Located& where, int first_layer, const Value& value, double* slab, std::ptrdiff_t field) const {
-    double numbers[Count];
-    value(where.particle, numbers);
-    int line = where.row - first_layer;
-    if constexpr (!layers_are_rows)
-      line = (where.row / grid_.points[1] - first_layer) * lines_in_layer_ + where.row % grid_.points[1];
-    double* const to = slab + static_cast<std::ptrdiff_t>(line) * line_ + where.column;
-    const FourPoints along = load(where.weight[0]);
-    for (int r = 0; r < reach_of_rows; ++r) {
-      const FourPoints weight = along * FourPoints(where.across(r));
-      std::ptrdiff_t down = r % reach;
-      if constexpr (!layers_are_rows) down += static_cast<std::ptrdiff_t>(r / reach) * lines_in_layer_;
-      double* const points = to + down * line_;
-      for (int c = 0; c < Count; ++c)
-        store(load(points + c * field) + weight * FourPoints(numbers[c]), points + c * field);
+  [[nodiscard]] int rows_in_layer() const { return layers_are_rows ? 1 : grid_.points[1]; }
+  [[nodiscard]] std::ptrdiff_t points_in_layer() const { return static_cast<std::ptrdiff_t>(line_) * lines_in_layer_; }
+  [[nodiscard]] std::ptrdiff_t points_in_slab() const { return points_in_layer() * (layers_in_slab + reach - 1); }
+  static void make_room(std::vector<Real>& numbers, std::ptrdiff_t count) {
+    if (static_cast<std::ptrdiff_t>(numbers.size()) < count) numbers.resize(static_cast<std::size_t>(count));
+  }
+
+  /// Puts the first `Count` fields side by side into lines_. After each row its first points follow once more.
+  template <int Count>
+  void interleave(const Fields& fields) {
+    constexpr int apart = width<Count>;
+    const int rows = grid_.row_count();
+    const int columns = grid_.points[0];
+    make_room(lines_, static_cast<std::ptrdiff_t>(line_) * rows * apart);
+#pragma omp parallel for schedule(static) if (grid_.point_count() >= parallel_threshold)
+    for (int row = 0; row < rows; ++row) {
+      Real* const line = lines_.data() + static_cast<std::ptrdiff_t>(row) * line_ * apart;
+      for (int c = 0; c < Count; ++c) {
+        const Real* const values = fields.row(c, row);
+        for (int x = 0; x < columns; ++x) line[x * apart + c] = values[x];
+      }
+      std::copy_n(line, (reach - 1) * apart, line + columns * apart);
     }
   }
 
-  // Adds one row of points from all slabs whose particles reach it, also across the periodic face. Values stored beyond
-  // the last point of a line or of a layer belong to the first points.
-  template <int Count>
-  void put_together(int row, std::ptrdiff_t field, std::ptrdiff_t layer, const std::array<double*, Count>& out) const {
-    std::array<int, Dim> at_row{};
-    grid_.row_coordinates(row, at_row);
-    const int columns = grid_.points[0];
+  // Sums up slabs; if `Missing`, of value(i, numbers) minus what lines_ have at particle i.
+  template <int Count, bool Missing, class Value>
+  void sum_slabs(const Value& value) {
+    constexpr int fields = width<Count>;
     const int layers = grid_.points[last];
-    const auto take = [&](double* to, const double* from, bool begin) {
-      for (int x = 0; x < columns; ++x) to[x] = begin ? from[x] : to[x] + from[x];
-      for (int x = 0; x < reach - 1; ++x) to[x] += from[columns + x];
-    };
-    for (int c = 0; c < Count; ++c) {
-      double* const to = out[c] + static_cast<std::ptrdiff_t>(row) * columns;
-      bool begin = true;
-      const auto from_slab = [&](int slab, int depth) {
-        const double* const from = slab_.data() + (slab * Count + c) * field + depth * layer;
-        if constexpr (layers_are_rows) {
-          take(to, from, begin);
-        } else {
-          take(to, from + static_cast<std::ptrdiff_t>(at_row[1]) * line_, begin);
-          if (at_row[1] < reach - 1)
-            take(to, from + static_cast<std::ptrdiff_t>(at_row[1] + grid_.points[1]) * line_, false);
-        }
-        begin = false;
-      };
-      int slab = -1;
-      int depth = -1;
-      for (int by = 0; by < reach; ++by) {
-        const int source = (at_row[last] - by + layers) % layers;
-        const int of = source / layers_in_slab;
-        const int at_depth = source % layers_in_slab + by;
-        if (of == slab && at_depth == depth) continue;
-        slab = of;
-        depth = at_depth;
-        from_slab(slab, depth);
+    const int slabs = (layers + layers_in_slab - 1) / layers_in_slab;
+    const std::ptrdiff_t numbers_in_slab = points_in_slab() * fields;
+    make_room(slab_, numbers_in_slab * slabs);
+#pragma omp parallel for schedule(static)
+    for (int s = 0; s < slabs; ++s) {
+      Real* const slab = slab_.data() + s * numbers_in_slab;
+      std::fill(slab, slab + numbers_in_slab, Real(0));
+      const int first = s * layers_in_slab;
+      const int end = std::min(layers, first + layers_in_slab);
+      for (int row = first * rows_in_layer(); row < end * rows_in_layer(); ++row) {
+        const From from = rows_above(row, fields);
+        const int line = (row / rows_in_layer() - first) * lines_in_layer_ + row % rows_in_layer();
+        Real* const to = slab + static_cast<std::ptrdiff_t>(line) * line_ * fields;
+        std::ptrdiff_t down[reach_of_rows];
+        for (int r = 0; r < reach_of_rows; ++r)
+          down[r] = static_cast<std::ptrdiff_t>(r % reach + r / reach * lines_in_layer_) * line_ * fields;
+        // Neighbours in storage mostly add to the same points, and the processor would wait for one to be stored before
+        // it can load the next: so some others come in between.
+        const Index begin = particles_.begin_of_row(row);
+        const Index count = particles_.begin_of_row(row + 1) - begin;
+        const Index part = (count + parts_of_row - 1) / parts_of_row;
+        for (Index in_part = 0; in_part < part; ++in_part)
+          for (Index n = in_part; n < count; n += part)
+            add<Count, Missing>(particles_[begin + n], from, value, to, down);
       }
     }
   }
 
-  /// The rows of lines_ that particles of a row use, the second axis fastest.
-  void rows_above(int row, const double* (&line)[reach_of_rows]) const {
+  template <int Count, bool Missing, class Value>
+  [[gnu::always_inline]] static void add(const Located& where, const From& from, const Value& value, Real* to,
+                                         const std::ptrdiff_t (&down)[reach_of_rows]) {
+    constexpr int fields = width<Count>;
+    using Pack = FourPoints<Real, fields>;
+    const Weights<fields> weights(where);
+    Real numbers[fields] = {};
+    value(where.particle, numbers);
+    if constexpr (Missing) {
+      Real there[fields];
+      interpolate(weights, from, there);
+      for (int c = 0; c < Count; ++c) numbers[c] -= there[c];
+    }
+    const Pack along = weights.along * at_each_point<fields>(numbers);
+    for (int r = 0; r < reach_of_rows; ++r) {
+      Real* const points = to + down[r] + weights.column * fields;
+      store(load<Pack>(points) + along * Pack(weights.across[r]), points);
+    }
+  }
+
+  // Adds each row of points from all slabs whose particles reach it, also across the periodic face. Values stored
+  // beyond the last point of a line or of a layer belong to the first points.
+  template <int Count, class Finish>
+  void put_together(Fields& out, const Finish& finish) const {
+    constexpr int apart = width<Count>;
+    const int columns = grid_.points[0];
+#pragma omp parallel for schedule(static) if (grid_.point_count() >= parallel_threshold)
+    for (int row = 0; row < grid_.row_count(); ++row) {
+      for (int c = 0; c < Count; ++c) std::fill_n(out.row(c, row), columns, Real(0));
+      for_each_source(row, [&](std::ptrdiff_t first_point) {
+        const Real* const from = slab_.data() + first_point * apart;
+        for (int c = 0; c < Count; ++c) {
+          Real* const to = out.row(c, row);
+          for (int x = 0; x < columns; ++x) to[x] += from[x * apart + c];
+          for (int x = 0; x < reach - 1; ++x) to[x] += from[(columns + x) * apart + c];
+        }
+      });
+      finish(row);
+    }
+  }
+
+  // Calls action with the first point of every line in slab_ that belongs to a row of the grid.
+  template <class Action>
+  void for_each_source(int row, const Action& action) const {
+    std::array<int, Dim> at_row{};
+    grid_.row_coordinates(row, at_row);
+    const int layers = grid_.points[last];
+    std::ptrdiff_t before = -1;
+    for (int by = 0; by < reach; ++by) {
+      const int source = (at_row[last] - by + layers) % layers;
+      const std::ptrdiff_t layer =
+          source / layers_in_slab * points_in_slab() + (source % layers_in_slab + by) * points_in_layer();
+      if (layer == before) continue;
+      before = layer;
+      if constexpr (layers_are_rows) {
+        action(layer);
+      } else {
+        action(layer + static_cast<std::ptrdiff_t>(at_row[1]) * line_);
+        if (at_row[1] < reach - 1) action(layer + static_cast<std::ptrdiff_t>(at_row[1] + grid_.points[1]) * line_);
+      }
+    }
+  }
+
+  [[nodiscard]] From rows_above(int row, int apart) const {
     std::array<int, Dim> at_row{};
     grid_.row_coordinates(row, at_row);
     const auto upper = [&](int d, int by) { return (at_row[d] + by) % grid_.points[d]; };
+    From rows{};
+    if (lines_.empty()) return rows;
     for (int r = 0; r < reach_of_rows; ++r) {
       int above = upper(1, r % reach);
       if constexpr (!layers_are_rows) above += grid_.points[1] * upper(last, r / reach);
-      line[r] = lines_.data() + static_cast<std::ptrdiff_t>(above) * line_;
+      rows[static_cast<std::size_t>(r)] = lines_.data() + static_cast<std::ptrdiff_t>(above) * line_ * apart;
     }
+    return rows;
   }
 
   Grid<Dim> grid_;
   int line_;            // points in a row, and those stored beyond its end
   int lines_in_layer_;  // the same for lines
-  LocatedParticles<Dim> particles_;
-  std::vector<double> slab_;
-  std::vector<double> lines_;
+  LocatedParticles<Dim, Real> particles_;
+  std::vector<Real> slab_;   // sums, slab by slab, the fields side by side
+  std::vector<Real> lines_;  // rows of the grid, the same
 };
 
 }  // namespace mesogen::mesh

@@ -1,65 +1,39 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <vector>
 
 #include "mesogen/diagnostics/error.hpp"
-#include "mesogen/mesh/fourier_transform.hpp"
+#include "mesogen/mesh/mode_transform.hpp"
 #include "mesogen/mesh/particle_mesh.hpp"
 
 namespace mesogen::mesh {
 
-/// Fourier modes of what particles carry, and values of modes at particles. Modes beyond a cutoff, two thirds of the
-/// largest wave number of the grid along an axis, are zero. So a product of two fields has no aliased modes, and what
-/// spreading takes from a wave can be restored (by a factor of at most 2.1 per axis).
-template <int Dim>
+/// Fourier modes of what particles carry, and values of modes at particles. Modes are those of KeptModes. What
+/// spreading to the mesh takes from a wave, and interpolation again, is restored (by a factor of at most 2.1 per axis).
+/// `Real` is the precision of particles' values, of the mesh and of transforms; modes are in double precision.
+template <int Dim, class Real = double>
 class ParticleSpectrum {
  public:
-  using WaveVector = std::array<double, Dim>;
+  using WaveVector = typename KeptModes<Dim>::WaveVector;
 
   explicit ParticleSpectrum(const Grid<Dim>& grid)
-      : grid_(grid), mesh_(grid), transform_(grid), restore_(grid.mode_count(), 0.0) {
-    for_each_mode([&](std::size_t n, const WaveVector& k) {
-      double kept = 1.0;
-      for (int d = 0; d < Dim; ++d) {
-        if (std::abs(k[d]) > cutoff(d) * (1.0 + 1e-12)) return;
-        kept *= CubicSpline::transform(0.5 * k[d] * grid_.spacing(d));
-      }
-      restore_[n] = 1.0 / kept;
+      : mesh_(grid), transform_(grid), restore_(grid.mode_count(), 0.0), weight_(grid, 1) {
+    kept().for_each([&](std::size_t n, const WaveVector& k) {
+      double left = 1.0;
+      for (int d = 0; d < Dim; ++d) left *= CubicSpline::transform(0.5 * k[d] * grid.spacing(d));
+      restore_[n] = 1.0 / left;
     });
-    weight_.resize(grid.point_count());
   }
 
-  [[nodiscard]] const Grid<Dim>& grid() const { return grid_; }
+  [[nodiscard]] const Grid<Dim>& grid() const { return kept().grid(); }
+  [[nodiscard]] const KeptModes<Dim>& kept() const { return transform_.kept(); }
   [[nodiscard]] std::size_t mode_count() const { return restore_.size(); }
-  [[nodiscard]] double cutoff(int axis) const { return 2.0 / 3.0 * grid_.highest(axis); }
-  [[nodiscard]] bool has(std::size_t mode) const { return restore_[mode] > 0.0; }
-  [[nodiscard]] FourierTransform& transform() { return transform_; }
-
-  static double square(const WaveVector& k) {
-    double sum = 0.0;
-    for (const double component : k) sum += component * component;
-    return sum;
-  }
-
-  /// Calls action(n, k) for all modes, in parallel. No function that is called in parallel here may throw.
-  template <class Action>
-  void for_each_mode(const Action& action) const {
-    const int rows = grid_.row_count();
-    const int in_row = grid_.modes_in_row();
-#pragma omp parallel for schedule(static) if (rows * in_row >= parallel_threshold)
-    for (int row = 0; row < rows; ++row) {
-      std::array<int, Dim> at{};
-      grid_.row_coordinates(row, at);
-      WaveVector k{};
-      for (int d = 1; d < Dim; ++d) k[d] = grid_.wave_number(d, at[d]);
-      for (int n = 0; n < in_row; ++n) {
-        k[0] = grid_.wave_number(0, n);
-        action(static_cast<std::size_t>(row) * static_cast<std::size_t>(in_row) + static_cast<std::size_t>(n), k);
-      }
-    }
-  }
+  /// Of fields on the mesh, as they are: nothing is restored.
+  [[nodiscard]] ModeTransform<Dim, Real>& transform() { return transform_; }
 
   /// Takes the positions of the particles, m; the functions below use them. Throws Error(run_failed) if one is not
   /// finite. `origin`: position of the first point of the grid, m; modes are those of a field as seen from there.
@@ -67,7 +41,7 @@ class ParticleSpectrum {
     int lost = 0;
 #pragma omp parallel for schedule(static) reduction(| : lost) if (count >= parallel_threshold)
     for (Index i = 0; i < count; ++i)
-      for (int d = 0; d < Dim; ++d) lost |= static_cast<int>(!(std::abs(position[d][i]) < 1e9 * grid_.length[d]));
+      for (int d = 0; d < Dim; ++d) lost |= static_cast<int>(!(std::abs(position[d][i]) < 1e9 * grid().length[d]));
     if (lost != 0) throw Error(ExitCode::run_failed, "the coordinate of a particle is not finite");
     mesh_.locate(position, count, origin);
     weighed_ = false;
@@ -75,101 +49,103 @@ class ParticleSpectrum {
 
   /// Modes of the number density over its mean, minus 1: zero if particles lie evenly. Throws as fit() does.
   void unevenness(Complex* modes) {
-    weigh();
-    values(1);
-    const double per_mean = static_cast<double>(grid_.point_count()) / mesh_.count();
-    const auto points = static_cast<std::ptrdiff_t>(weight_.size());
-#pragma omp parallel for schedule(static) if (points >= parallel_threshold)
-    for (std::ptrdiff_t x = 0; x < points; ++x)
-      values_[0][static_cast<std::size_t>(x)] = weight_[static_cast<std::size_t>(x)] * per_mean - 1.0;
-    transform_.forward(values_[0].data(), modes);
-    for_each_mode([&](std::size_t n, const WaveVector&) { modes[n] *= restore_[n]; });
+    if (!weighed_) spread_weighed<0>([](Index, Real*) {});
+    const auto per_mean = static_cast<Real>(static_cast<double>(grid().point_count()) / mesh_.count());
+    auto& points = transform_.points(1);
+#pragma omp parallel for schedule(static) if (grid().point_count() >= parallel_threshold)
+    for (int row = 0; row < grid().row_count(); ++row)
+      for (int x = 0; x < grid().points[0]; ++x) points.row(0, row)[x] = weight_.row(0, row)[x] * per_mean - Real(1);
+    transform_.template to_modes<1>(
+        [&](std::size_t n, const WaveVector&, const Complex* mode) { modes[n] = restore_[n] * *mode; });
   }
 
-  /// Computes the modes of a field. value(i, numbers) must write its `Count` components at particle i. The first guess
-  /// is the weighted mean about each point of the grid, where what spreading takes from a wave is restored. Then, up to
-  /// `corrections` times, the same is done with what is still missing at the particles, and added. So the result comes
-  /// near the least-squares fit. Throws Error(run_failed) if hardly any particle is near a point of the grid.
+  /// Computes the kept modes of a field; leaves all others as they are. value(i, numbers) must write its `Count`
+  /// components at particle i. The first guess is the weighted mean about each point of the grid, where what spreading
+  /// takes from a wave is restored. Then, up to `corrections` times, the same is done with what is still missing at the
+  /// particles, and added. So the result comes near the least-squares fit. Throws Error(run_failed) if hardly any
+  /// particle is near a point of the grid.
   template <int Count, class Value>
   void fit(const Value& value, const std::array<Complex*, Count>& modes, int corrections) {
-    spread<Count>(value, modes, false);
+    if (weighed_) {
+      mesh_.template spread<Count>(value, transform_.points(Count), [&](int row) { divide(row, Count); });
+    } else {
+      spread_weighed<Count>(value);
+    }
+    transform_.template to_modes<Count>([&](std::size_t n, const WaveVector&, const Complex* spread) {
+      for (int c = 0; c < Count; ++c) modes[c][n] = restore_[n] * spread[c];
+    });
     // The first guess misses about a share u, the unevenness, of a field. A correction misses 3 u of what it corrects
     // (measured on lattices with jitter and in turbulence).
     double missing = uneven_;
     for (int n = 0; n < corrections && missing > missed; ++n, missing *= 3.0 * uneven_) {
-      missing_.resize(static_cast<std::size_t>(mesh_.count()) * Count);
-      work_modes(Count);
-      std::array<Complex*, Count> copy{};
-      for (int c = 0; c < Count; ++c) {
-        std::copy(modes[c], modes[c] + mode_count(), work_modes_[c].data());
-        copy[c] = work_modes_[c].data();
-      }
-      evaluate<Count>(copy, [&](Index i, const double* there) {
-        double numbers[Count];
-        value(i, numbers);
-        for (int c = 0; c < Count; ++c)
-          missing_[static_cast<std::size_t>(i) * Count + static_cast<std::size_t>(c)] = numbers[c] - there[c];
+      to_points<Count>([&](std::size_t m, const WaveVector&, Complex* numbers) {
+        for (int c = 0; c < Count; ++c) numbers[c] = modes[c][m];
       });
-      spread<Count>(
-          [&](Index i, double* numbers) {
-            for (int c = 0; c < Count; ++c)
-              numbers[c] = missing_[static_cast<std::size_t>(i) * Count + static_cast<std::size_t>(c)];
-          },
-          modes, true);
+      mesh_.template spread_missing<Count>(value, transform_.points(Count), [&](int row) { divide(row, Count); });
+      transform_.template to_modes<Count>([&](std::size_t m, const WaveVector&, const Complex* spread) {
+        for (int c = 0; c < Count; ++c) modes[c][m] += restore_[m] * spread[c];
+      });
     }
   }
 
-  /// Calls take(i, numbers) for every particle, with the values of these modes there. Overwrites `modes`.
-  template <int Count, class Take>
-  void evaluate(const std::array<Complex*, Count>& modes, const Take& take) {
-    values(Count);
-    std::array<const double*, Count> from{};
-    for (int c = 0; c < Count; ++c) {
-      for_each_mode([&](std::size_t n, const WaveVector&) { modes[c][n] *= restore_[n]; });
-      transform_.backward(modes[c], values_[c].data());
-      from[c] = values_[c].data();
-    }
-    mesh_.template gather<Count>(from, take);
+  /// Calls take(i, numbers) for every particle, with the values of `Count` fields there. mode(n, k, numbers) must write
+  /// their n-th modes, of wave vector k; it is called for the kept modes.
+  template <int Count, class Mode, class Take>
+  void evaluate(const Mode& mode, const Take& take) {
+    to_points<Count>(mode);
+    mesh_.template gather<Count>(transform_.points(Count), take);
   }
 
  private:
   static constexpr double empty = 1e-3;   // weight of a point with hardly any particle, over the mean weight
   static constexpr double missed = 3e-3;  // no further correction if less than this share of a field is missing
 
-  void values(int count) {
-    if (static_cast<int>(values_.size()) < count) values_.resize(static_cast<std::size_t>(count));
-    for (int c = 0; c < count; ++c) values_[static_cast<std::size_t>(c)].resize(grid_.point_count());
-  }
-  void work_modes(int count) {
-    if (static_cast<int>(work_modes_.size()) < count) work_modes_.resize(static_cast<std::size_t>(count));
-    for (int c = 0; c < count; ++c) work_modes_[static_cast<std::size_t>(c)].resize(mode_count());
+  /// Values at the points of which interpolation makes the field of these modes.
+  template <int Count, class Mode>
+  void to_points(const Mode& mode) {
+    transform_.template to_points<Count>([&](std::size_t n, const WaveVector& k, Complex* numbers) {
+      mode(n, k, numbers);
+      for (int c = 0; c < Count; ++c) numbers[c] *= restore_[n];
+    });
   }
 
-  // Weight of the particles near each point, and the unevenness.
-  void weigh() {
-    if (weighed_) return;
-    mesh_.template spread<1>([](Index, double* one) { one[0] = 1.0; }, {weight_.data()});
-    const double mean = static_cast<double>(mesh_.count()) / static_cast<double>(grid_.point_count());
-    // Row by row, so that the sum is rounded in the same way for any number of threads.
-    double least = mean;
-    const int rows = grid_.row_count();
-    const int columns = grid_.points[0];
-    row_sums_.resize(static_cast<std::size_t>(rows));
-#pragma omp parallel for schedule(static) reduction(min : least) if (rows * columns >= parallel_threshold)
-    for (int row = 0; row < rows; ++row) {
-      double sum = 0.0;
-      for (int x = 0; x < columns; ++x) {
-        const double weight =
-            weight_[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(x)];
-        least = std::min(least, weight);
-        sum += (weight - mean) * (weight - mean);
-      }
-      row_sums_[static_cast<std::size_t>(row)] = sum;
+  void divide(int row, int count) {
+    const Real* const weight = weight_.row(0, row);
+    for (int c = 0; c < count; ++c) {
+      Real* const to = transform_.points(count).row(c, row);
+      for (int x = 0; x < grid().points[0]; ++x) to[x] /= weight[x];
     }
+  }
+
+  // Spreads numbers as the first guess of fit(), and on the way finds the weight of the particles near each point, and
+  // the unevenness.
+  template <int Count, class Value>
+  void spread_weighed(const Value& value) {
+    const double mean = static_cast<double>(mesh_.count()) / static_cast<double>(grid().point_count());
+    const auto rows = static_cast<std::size_t>(grid().row_count());
+    row_squares_.resize(rows);
+    row_least_.resize(rows);
+    auto& points = transform_.points(Count + 1);
+    mesh_.template spread<Count + 1>(
+        [&](Index i, Real* numbers) {
+          value(i, numbers);
+          numbers[Count] = Real(1);
+        },
+        points,
+        [&](int row) {
+          const Real* const from = points.row(Count, row);
+          std::copy_n(from, grid().points[0], weight_.row(0, row));
+          double square = 0.0;
+          for (int x = 0; x < grid().points[0]; ++x) square += (double(from[x]) - mean) * (double(from[x]) - mean);
+          row_squares_[static_cast<std::size_t>(row)] = square;
+          row_least_[static_cast<std::size_t>(row)] = double(*std::min_element(from, from + grid().points[0]));
+          divide(row, Count);
+        });
+    // Row by row, so that the sum is rounded in the same way for any number of threads.
     double square = 0.0;
-    for (const double sum : row_sums_) square += sum;
-    uneven_ = std::sqrt(square / static_cast<double>(grid_.point_count())) / mean;
-    if (!(least > empty * mean))
+    for (const double of_row : row_squares_) square += of_row;
+    uneven_ = std::sqrt(square / static_cast<double>(grid().point_count())) / mean;
+    if (!(*std::min_element(row_least_.begin(), row_least_.end()) > empty * mean))
       throw Error(
           ExitCode::run_failed,
           "a point of the mesh has hardly any particle about it: leave the shift of the flow at its default, or "
@@ -177,38 +153,14 @@ class ParticleSpectrum {
     weighed_ = true;
   }
 
-  template <int Count, class Value>
-  void spread(const Value& value, const std::array<Complex*, Count>& modes, bool add) {
-    weigh();
-    values(Count);
-    std::array<double*, Count> to{};
-    for (int c = 0; c < Count; ++c) to[c] = values_[static_cast<std::size_t>(c)].data();
-    mesh_.template spread<Count>(value, to);
-    spread_modes_.resize(mode_count());
-    const auto points = static_cast<std::ptrdiff_t>(weight_.size());
-    for (int c = 0; c < Count; ++c) {
-#pragma omp parallel for schedule(static) if (points >= parallel_threshold)
-      for (std::ptrdiff_t x = 0; x < points; ++x) to[c][x] /= weight_[static_cast<std::size_t>(x)];
-      transform_.forward(to[c], spread_modes_.data());
-      for_each_mode([&](std::size_t n, const WaveVector&) {
-        const Complex mode = spread_modes_[n] * restore_[n];
-        modes[c][n] = add ? modes[c][n] + mode : mode;
-      });
-    }
-  }
-
-  Grid<Dim> grid_;
-  ParticleMesh<Dim> mesh_;
-  FourierTransform transform_;
-  std::vector<double> restore_;  // 1 / (factor by which spreading reduces a wave); 0 beyond the cutoff
-  std::vector<double> weight_;   // of all particles at each point
+  ParticleMesh<Dim, Real> mesh_;
+  ModeTransform<Dim, Real> transform_;
+  std::vector<double> restore_;  // 1 / (factor by which spreading reduces a wave)
+  FieldsOnGrid<Real> weight_;    // of all particles at each point
   bool weighed_ = false;
   double uneven_ = 0.0;
-  std::vector<double> row_sums_;
-  std::vector<std::vector<double>> values_;
-  std::vector<std::vector<Complex>> work_modes_;
-  std::vector<Complex> spread_modes_;
-  std::vector<double> missing_;
+  std::vector<double> row_squares_;
+  std::vector<double> row_least_;
 };
 
 }  // namespace mesogen::mesh
