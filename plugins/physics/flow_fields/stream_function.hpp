@@ -31,11 +31,10 @@ class StreamFunction {
     return grid;
   }
 
-  /// What it takes, bytes: modes (complex, half as many as points) and fields on the mesh, particles on it.
+  /// Approximate memory, in bytes: of its own modes, and of the mesh.
   static double memory(const mesh::Grid<2>& grid, Index particles) {
-    constexpr double modes = 5;
-    constexpr double fields = 1 + 2 + 2 * 2 + 0.5;
-    return 8.0 * static_cast<double>(grid.point_count()) * (modes + fields) + static_cast<double>(particles) * 124.0;
+    return static_cast<double>(2 * grid.mode_count() * sizeof(mesh::Complex)) +
+           mesh::ParticleSpectrum<2>::bytes(grid, particles, 2, 1);
   }
 
   /// psi at the particles, m2/s, from their velocity, m/s. Throws Error(run_failed) where a point of the mesh has

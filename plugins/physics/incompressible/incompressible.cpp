@@ -83,7 +83,7 @@ requires(Dim == 2) class Incompressible final : public Physics {
 
   void declare(const Scene& scene, PassList& list) override {
     choose(scene);
-    list.memory(incompressible::mesh_flow_memory(grid_, scene.particle_count));
+    list.memory(incompressible::mesh_flow_memory<Real>(grid_, scene.particle_count));
     list.numbers(nematics::add_flow_numbers);
     // Of an active flow the rate at which it shears, and at which disturbances of it grow.
     if (const double stress = scene.scales.stress; stress > 0.0)

@@ -1,17 +1,19 @@
 #pragma once
 
+#include <algorithm>
+
+#include "mesogen/mesh/particle_spectrum.hpp"
 #include "velocity_gradient.hpp"
 
 namespace mesogen::incompressible {
 
-/// What a MeshFlow takes, bytes: modes (complex, half as many as points), fields on the mesh, particles on it.
-template <int Dim>
+/// Approximate memory of a MeshFlow, in bytes: of its own modes, and of the mesh.
+template <class Real, int Dim>
 double mesh_flow_memory(const mesh::Grid<Dim>& grid, Index particles) {
-  const auto points = static_cast<double>(grid.point_count());
-  constexpr int gradients = gradient_elements<Dim>;
-  constexpr double modes = 3 * Dim + 2 * Dim + (gradients + Dim + 1) + Dim + 1;
-  constexpr double fields = 1 + (gradients + Dim + 1) + 2 * (Dim + 1) + (gradients + Dim + 1) + 0.5;
-  return 8.0 * points * (modes + fields) + static_cast<double>(particles) * (28.0 + 40.0 * Dim);
+  constexpr int evaluated = std::max(Dim + gradient_elements<Dim>, 2 * Dim + 2);
+  constexpr int modes = 3 * Dim + 2 * Dim;
+  return static_cast<double>(modes * grid.mode_count() * sizeof(mesh::Complex)) +
+         mesh::ParticleSpectrum<Dim, Real>::bytes(grid, particles, Dim, evaluated);
 }
 
 }  // namespace mesogen::incompressible

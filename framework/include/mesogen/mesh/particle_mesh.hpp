@@ -37,6 +37,15 @@ class ParticleMesh {
         lines_in_layer_(layers_are_rows ? 1 : grid.points[1] + reach - 1),
         particles_(grid) {}
 
+  /// Approximate memory, in bytes, for so many particles, of which `spread` numbers each are spread at a time and
+  /// `gathered` are interpolated.
+  static double bytes(const Grid<Dim>& grid, Index particles, int spread, int gathered) {
+    constexpr double in_slabs = static_cast<double>(layers_in_slab + reach - 1) / layers_in_slab;
+    const auto side_by_side = [](int fields) { return std::bit_ceil(static_cast<unsigned>(fields)); };
+    return FieldsOnGrid<Real>::bytes(grid) * (in_slabs * side_by_side(spread) + side_by_side(gathered)) +
+           static_cast<double>(particles) * static_cast<double>(sizeof(Located) + sizeof(int));
+  }
+
   [[nodiscard]] const Grid<Dim>& grid() const { return grid_; }
   [[nodiscard]] Index count() const { return particles_.count(); }
 

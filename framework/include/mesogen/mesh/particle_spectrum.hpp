@@ -29,6 +29,14 @@ class ParticleSpectrum {
     });
   }
 
+  /// Approximate memory, in bytes, for so many particles, if `fitted` fields are fitted at a time and `evaluated` are
+  /// evaluated.
+  static double bytes(const Grid<Dim>& grid, Index particles, int fitted, int evaluated) {
+    return ParticleMesh<Dim, Real>::bytes(grid, particles, fitted + 1, evaluated) +
+           FieldsOnGrid<Real>::bytes(grid) * (2 * std::max(fitted + 1, evaluated) + 1) +
+           static_cast<double>(grid.mode_count() * sizeof(double));
+  }
+
   [[nodiscard]] const Grid<Dim>& grid() const { return kept().grid(); }
   [[nodiscard]] const KeptModes<Dim>& kept() const { return transform_.kept(); }
   [[nodiscard]] std::size_t mode_count() const { return restore_.size(); }
