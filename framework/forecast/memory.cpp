@@ -60,7 +60,8 @@ class Counted {
   /// The wall particle itself, its place, its mirror point, the way between them and the normal; blocks and both kinds
   /// of weights of the particles around the mirror point, about three quarters of what a particle has around it.
   [[nodiscard]] double wall() const {
-    const double around = 0.75 * blocks_ / particles_;
+    const double around =
+        0.75 * NeighbourBlocks::expected_around(reach_ / scene_.spacing, grid_.width(1) / scene_.spacing, block_width_);
     return sizeof(WallSet::Member) + axes_ * 4.0 * exact + 12.0 +
            around * (sizeof(NeighbourBlock) + 2.0 * block_width_ * exact);
   }

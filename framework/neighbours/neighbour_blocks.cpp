@@ -25,22 +25,56 @@ class Search {
     std::fill_n(beyond_ + lanes, lanes, std::numeric_limits<Real>::infinity());
   }
 
-  /// action(block) for the blocks around a point, relative to its tile, whose neighbours lie in these segments.
+  /// action(block) for the blocks around a point, relative to its tile, whose neighbours lie in these segments, each of
+  /// one run.
   template <class Action>
   void find(const Real (&point)[Dim], const Segment<Real, Dim>* segments, int count, const Action& action) const {
     for (int s = 0; s < count; ++s) {
-      const Segment<Real, Dim>& segment = segments[s];
-      const auto [first, end] = within_reach(point, segment);
-      NeighbourBlock block{};
-      for (int d = 0; d < Dim; ++d) block.shift[d] = static_cast<std::int8_t>(segment.shift[d]);
-      for (block.first = first; block.first < end; block.first += NeighbourBlock::width<Real>) {
-        block.lanes = static_cast<std::int8_t>(std::min<Index>(NeighbourBlock::width<Real>, end - block.first));
-        action(block);
-      }
+      auto [first, end] = within_reach(point, segments[s]);
+      while (first < end) action(begun(segments[s], first, end));
     }
   }
 
+  /// The same with two runs a block wherever its lanes are not all taken by one.
+  template <class Action>
+  void find_by_two(const Real (&point)[Dim], const Segment<Real, Dim>* segments, int count,
+                   const Action& action) const {
+    NeighbourBlock block{};  // of one run, and with lanes free, unless it has none
+    for (int s = 0; s < count; ++s) {
+      auto [first, end] = within_reach(point, segments[s]);
+      if (first < end && block.lanes > 0 && segments[s].shift[0] == block.shift[0]) {
+        add_second(segments[s], first, end, block);
+        action(std::exchange(block, {}));
+      }
+      while (first < end) {
+        if (block.lanes > 0) action(block);
+        block = begun(segments[s], first, end);
+        if (block.lanes == width) action(std::exchange(block, {}));
+      }
+    }
+    if (block.lanes > 0) action(block);
+  }
+
  private:
+  static constexpr Index width = NeighbourBlock::width<Real>;
+
+  /// A block of as much of the run [first, end) as it holds; `first` moves behind that.
+  static NeighbourBlock begun(const Segment<Real, Dim>& segment, Index& first, Index end) {
+    NeighbourBlock block{};
+    block.first = block.second = first;
+    block.lanes = block.split = static_cast<std::int8_t>(std::min(width, end - first));
+    for (int d = 0; d < Dim; ++d) block.shift[d] = block.second_shift[d] = static_cast<std::int8_t>(segment.shift[d]);
+    first += block.lanes;
+    return block;
+  }
+  static void add_second(const Segment<Real, Dim>& segment, Index& first, Index end, NeighbourBlock& block) {
+    const Index added = std::min(width - block.lanes, end - first);
+    block.second = first - block.lanes;
+    for (int d = 0; d < Dim; ++d) block.second_shift[d] = static_cast<std::int8_t>(segment.shift[d]);
+    block.lanes = static_cast<std::int8_t>(block.lanes + added);
+    first += added;
+  }
+
   /// From the first particle of a segment that is near enough to one past the last.
   [[nodiscard]] std::pair<Index, Index> within_reach(const Real (&point)[Dim],
                                                      const Segment<Real, Dim>& segment) const {
@@ -70,6 +104,10 @@ class Search {
   Real beyond_[2 * lanes];  // 0, then infinite
 };
 
+/// Blocks have two runs only where a pack holds a block.
+template <class Real>
+constexpr bool by_two = exec::Pack<Real>::size() == NeighbourBlock::width<Real>;
+
 }  // namespace
 
 template <class Real, int Dim>
@@ -97,13 +135,21 @@ void NeighbourBlocks::find(const Neighbours<Real, Dim>& grid, double range) {
       if (grid.cell_begin[index] == grid.cell_end[index]) continue;
       Segment<Real, Dim> segment[Neighbours<Real, Dim>::most_segments];
       const int segments = grid.segments(at, segment);
+      // Two runs share a block only if they have the same shift along x.
+      std::stable_sort(segment, segment + segments,
+                       [](const auto& a, const auto& b) { return a.shift[0] < b.shift[0]; });
       if (first_particle == last_particle) first_particle = grid.cell_begin[index];
       last_particle = grid.cell_end[index];
       for (Index i = grid.cell_begin[index]; i < last_particle; ++i) {
         begin[static_cast<std::size_t>(i)] = static_cast<std::int64_t>(found.size());
         Real point[Dim];
         for (int d = 0; d < Dim; ++d) point[d] = grid.local[d][i];
-        search.find(point, segment, segments, [&](const NeighbourBlock& one) { found.push_back(one); });
+        const auto keep = [&](const NeighbourBlock& one) { found.push_back(one); };
+        if constexpr (by_two<Real>) {
+          search.find_by_two(point, segment, segments, keep);
+        } else {
+          search.find(point, segment, segments, keep);
+        }
       }
     }
     part_begin[part + 1] = static_cast<std::int64_t>(found.size());
@@ -163,10 +209,16 @@ void NeighbourBlocks::find_offsets(const double* width, int dimension) {
 }
 
 // Measured on lattices and on disordered particles: a tenth more than the disc, and half a block for each row that it
-// meets.
-double NeighbourBlocks::expected(double range, double row, int width) {
+// meets; where rows share blocks, half a block in all.
+double NeighbourBlocks::expected_around(double range, double row, int width) {
   const double rows = 2.0 * range / row + 1.0;
   return (1.1 * std::numbers::pi * range * range + rows * (width - 1.0) / 2.0) / width;
+}
+
+double NeighbourBlocks::expected(double range, double row, int width) {
+  const bool shared = width == NeighbourBlock::width<float> ? by_two<float> : by_two<double>;
+  if (!shared) return expected_around(range, row, width);
+  return (1.1 * std::numbers::pi * range * range + (width - 1.0) / 2.0) / width;
 }
 
 template void NeighbourBlocks::find(const Neighbours<float, 2>&, double);

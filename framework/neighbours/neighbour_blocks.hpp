@@ -28,6 +28,8 @@ struct MESOGEN_EXPORT NeighbourBlocks {
   /// How many a particle has on average, where particles are evenly spread, for memory to be foretold.
   /// `range` and `row`, the height of cells, in particle spacings; `width` of a block.
   static double expected(double range, double row, int width);
+  /// The same for blocks of one run each, as `find_around` makes them.
+  static double expected_around(double range, double row, int width);
 
  private:
   void find_offsets(const double* width, int dimension);

@@ -71,6 +71,23 @@ TYPED_TEST(Lanes, FirstAndLastOfAMask) {
   }
 }
 
+TYPED_TEST(Lanes, TakesLanesFromASplitOnFromElsewhere) {
+  using Real = TypeParam;
+  const auto first = this->row(Real(0), Real(1));
+  const auto second = this->row(Real(100), Real(1));
+  for (int split = 0; split <= this->width; ++split) {
+    typename TestFixture::Lane both;
+    load(first.data(), second.data(), split, both);
+    auto changed = this->lane(first);
+    subtract_from(split, this->lane(second), this->lane(first), changed);
+    for (int n = 0; n < this->width; ++n) {
+      const auto at = static_cast<std::size_t>(n);
+      EXPECT_EQ(this->numbers(both)[at], (n < split ? first : second)[at]) << n << " of " << split;
+      EXPECT_EQ(this->numbers(changed)[at], n < split ? first[at] : Real(100)) << n << " of " << split;
+    }
+  }
+}
+
 TYPED_TEST(Lanes, PositivePartAndSquareRoot) {
   using Real = TypeParam;
   const auto x = this->row(Real(-1.5), Real(0.75));

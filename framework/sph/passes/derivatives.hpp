@@ -33,12 +33,10 @@ class DerivativeLoop {
   [[gnu::always_inline]] MESOGEN_HOST_DEVICE void run(Index n) const {
     const Index first = n * group;
     const int members = particles_ - first < group ? particles_ - first : group;
-    Kept kept[group];
+    Kept kept;
     Sums sums;
-    for (int k = 0; k < members; ++k) {
-      source_.keep(first + k, kept[k]);
-      find_moments(first + k, kept[k], sums, k);
-    }
+    source_.keep(first, members, kept);
+    for (int k = 0; k < members; ++k) find_moments(first, k, kept, sums);
     Lane moment[Fit::sum_count];
     Lane weight[Fit::weight_count];
     sums.read(members, moment);
@@ -47,7 +45,7 @@ class DerivativeLoop {
       for (int c = 0; c < Dim * Dim; ++c) put(weight[Fit::correction + c], &wanted_.correction(c, first), members);
     if constexpr (Count > 0) {
       Weights weights(weight);
-      for (int k = 0; k < members; ++k) sum_scalars(first + k, kept[k], weights.row[k], sums, k);
+      for (int k = 0; k < members; ++k) sum_scalars(first, k, kept, weights, sums);
       Lane sum[scalar_sums];
       sums.read(members, sum);
       finish(sum, weight, first, members);
@@ -79,14 +77,10 @@ class DerivativeLoop {
 
   /// The weights of each particle of a group.
   struct Weights {
-    Real row[group][Fit::weight_count];
+    Real of[Fit::weight_count][group];
 
     MESOGEN_HOST_DEVICE explicit Weights(const Lane* pack) {
-      for (int n = 0; n < Fit::weight_count; ++n) {
-        Real column[group];
-        exec::store(pack[n], column);
-        for (int k = 0; k < group; ++k) row[k][n] = column[k];
-      }
+      for (int n = 0; n < Fit::weight_count; ++n) exec::store(pack[n], of[n]);
     }
   };
 
@@ -97,34 +91,36 @@ class DerivativeLoop {
     for (int k = 0; k < members; ++k) to[k] = all[k];
   }
 
-  [[gnu::always_inline]] MESOGEN_HOST_DEVICE void find_moments(Index i, Kept& kept, Sums& sums, int k) const {
+  [[gnu::always_inline]] MESOGEN_HOST_DEVICE void find_moments(Index first, int k, Kept& kept, Sums& sums) const {
     Lane sum[Fit::sum_count];
     exec::unroll<Fit::sum_count>([&](auto n) { sum[n] = Lane(Real(0)); });
     source_.visit(
-        i, kept, [&](const Weighed& p, Index) __attribute__((always_inline)) { fit_.add(p, sum); });
+        first, k, kept, [&](const Weighed& p, const Place<Lane>&) __attribute__((always_inline)) { fit_.add(p, sum); });
     sums.set(k, sum);
   }
 
-  [[gnu::always_inline]] MESOGEN_HOST_DEVICE void sum_scalars(Index i, Kept& kept, const Real* weight, Sums& sums,
-                                                              int k) const {
+  [[gnu::always_inline]] MESOGEN_HOST_DEVICE void sum_scalars(Index first, int k, Kept& kept, const Weights& weights,
+                                                              Sums& sums) const {
     Real own[scalar_sums];
+    Real weight[Fit::weight_count];
+    exec::unroll<Fit::weight_count>([&](auto n) { weight[n] = weights.of[n][k]; });
     Lane sum[scalar_sums];
-    for (int n = 0; n < Count; ++n) own[n] = wanted_.source[n][i];
+    for (int n = 0; n < Count; ++n) own[n] = wanted_.source[n][first + k];
     exec::unroll<scalar_sums>([&](auto n) __attribute__((always_inline)) { sum[n] = Lane(Real(0)); });
     source_.visit(
-        i, kept, [&](const Weighed& p, Index j) __attribute__((always_inline)) { add(p, j, weight, own, sum); });
+        first, k, kept, [&](const Weighed& p, const Place<Lane>& place) __attribute__((always_inline)) {
+          add(p, place, weight, own, sum);
+        });
     sums.set(k, sum);
   }
 
-  [[gnu::always_inline]] MESOGEN_HOST_DEVICE void add(const Weighed& p, Index j, const Real* weight, const Real* own,
-                                                      Lane* sum) const {
+  [[gnu::always_inline]] MESOGEN_HOST_DEVICE void add(const Weighed& p, const Place<Lane>& place, const Real* weight,
+                                                      const Real* own, Lane* sum) const {
     Lane gradient[Dim];
     exec::unroll<Dim>([&](auto d) __attribute__((always_inline)) { gradient[d] = p.slope * p.separation[d]; });
     const Lane laplacian = fit_.laplacian(p, gradient, weight);
     exec::unroll<Count>([&](auto n) __attribute__((always_inline)) {
-      Lane difference;
-      exec::load(wanted_.source[n] + j, difference);
-      difference = difference - Lane(own[n]);
+      const Lane difference = place.load(wanted_.source[n]) - Lane(own[n]);
       constexpr int at = n * per_scalar;
       exec::unroll<Dim>([&](auto d)
                             __attribute__((always_inline)) { sum[at + d] = sum[at + d] + gradient[d] * difference; });

@@ -192,7 +192,7 @@ struct WeightedSums {
       const std::int64_t at = block * NeighbourBlock::width<Real>;
       for (int lane = 0; lane < NeighbourBlock::width<Real>; lane += int(Lane::size())) {
         if (lane > 0 && lane >= seen.lanes) break;
-        const Lane difference = load(source + seen.first + lane) - own;
+        const Lane difference = Place<Lane>(seen, lane).load(source) - own;
         if constexpr (Laplacian) laplacian_sum += load(laplacian + at + lane) * difference;
         if constexpr (Gradient)
           exec::unroll<Dim>([&](auto d) { gradient_sum[d] += load(gradient[d] + at + lane) * difference; });

@@ -15,7 +15,7 @@ struct VolumePass {
 
   template <class Pair, class Lane>
   [[gnu::always_inline]] MESOGEN_HOST_DEVICE void pair(const Own&, const Pair& p, Lane* sum) const {
-    sum[0] = sum[0] + p.value();
+    sum[0] = sum[0] + p.value_alone();
   }
   MESOGEN_HOST_DEVICE void finish(Index i, const Own&, const Real* sum) const { volume(i) = Real(1) / sum[0]; }
 };

@@ -5,8 +5,8 @@
 #include "mesogen/sph/pairs.hpp"
 #include "sph/passes/fits.hpp"
 
-/// The neighbours of a particle with their weights s_ij, to be visited twice. All that a loop over them knows of the
-/// kernel is here.
+/// The neighbours of a group of particles with their weights s_ij, to be visited twice. All that a loop over them knows
+/// of the kernel is here.
 namespace mesogen::sph {
 
 template <class Real, int Dim, class Pair>
@@ -29,10 +29,10 @@ class WeighedPairs {
   WeighedPairs(const Pairs<Real, Dim, Kernel>& pairs, const FieldView<const Real>& volume)
       : pairs_(pairs), volume_(volume) {}
 
-  MESOGEN_HOST_DEVICE void keep(Index, Kept&) const {}
+  MESOGEN_HOST_DEVICE void keep(Index, int, Kept&) const {}
   template <class Action>
-  MESOGEN_HOST_DEVICE void visit(Index i, Kept&, const Action& action) const {
-    pairs_.visit(i, [&](const auto& pair) { action(weighed<Real, Dim>(pair, volume_), pair.j); });
+  MESOGEN_HOST_DEVICE void visit(Index first, int k, Kept&, const Action& action) const {
+    pairs_.visit(first + k, [&](const auto& pair) { action(weighed<Real, Dim>(pair, volume_), pair.place); });
   }
 
  private:
@@ -52,10 +52,12 @@ class WeighedPairs {
   static constexpr int width = int(Lane::size());
 
   struct Kept {
-    static constexpr int most = 256 / width;  // twice what neighbours usually need
-    int packs;                                // of the particle
-    int first;                                // of those that are kept
-    Index j[most];
+    static constexpr int most = 128;  // about twice what a group usually needs
+    Index particle;                   // the first of the group
+    int members;
+    int begin[width + 1];  // of each particle of the group, counted from the first pack of the group
+    int first;             // of those that are kept
+    Place<Lane> place[most];
     struct {
       alignas(Lane) Real slope[width];
       Real separation[Dim][width];
@@ -69,42 +71,53 @@ class WeighedPairs {
   template <class Kernel>
   WeighedPairs(const Pairs<Real, Dim, Kernel>&& pairs, const FieldView<const Real>& volume) = delete;
 
-  void keep(Index i, Kept& kept) const { find_(pairs_, volume_, i, 0, kept); }
+  /// Finds the pairs of `members` particles from `first` on.
+  void keep(Index first, int members, Kept& kept) const {
+    kept.particle = first;
+    kept.members = members;
+    find_(pairs_, volume_, 0, kept);
+  }
 
-  /// action(weighed pair, j) for all packs of a particle.
+  /// action(weighed pair, its place) for all packs of the k-th particle.
   template <class Action>
-  [[gnu::always_inline]] void visit(Index i, Kept& kept, const Action& action) const {
-    for (int first = 0; first < kept.packs; first += Kept::most) {
-      if (kept.first != first) find_(pairs_, volume_, i, first, kept);
-      const int count = std::min(kept.packs - first, Kept::most);
-      for (int n = 0; n < count; ++n) {
+  [[gnu::always_inline]] void visit(Index, int k, Kept& kept, const Action& action) const {
+    int n = kept.begin[k];
+    while (n < kept.begin[k + 1]) {
+      if (n < kept.first || n >= kept.first + Kept::most) find_(pairs_, volume_, n, kept);
+      const int end = std::min(kept.begin[k + 1], kept.first + Kept::most);
+      for (; n < end; ++n) {
+        const auto& own = kept.pack[n - kept.first];
         WeighedPair<Lane, Dim> p;
-        exec::load(&kept.pack[n].slope[0], p.slope);
-        for (int d = 0; d < Dim; ++d) exec::load(&kept.pack[n].separation[d][0], p.separation[d]);
-        action(p, kept.j[n]);
+        exec::load(&own.slope[0], p.slope);
+        for (int d = 0; d < Dim; ++d) exec::load(&own.separation[d][0], p.separation[d]);
+        action(p, kept.place[n - kept.first]);
       }
     }
   }
 
  private:
   template <class Kernel>
-  static void find(const void* pairs, FieldView<const Real> volume, Index i, int first, Kept& kept) {
-    int packs = 0;
-    static_cast<const Pairs<Real, Dim, Kernel>*>(pairs)->visit(
-        i, [&](const auto& pair) __attribute__((always_inline)) {
-          const auto n = static_cast<unsigned>(packs++ - first);
-          if (n >= static_cast<unsigned>(Kept::most)) return;
-          const auto p = weighed<Real, Dim>(pair, volume);
-          kept.j[n] = pair.j;
-          exec::store(p.slope, &kept.pack[n].slope[0]);
-          for (int d = 0; d < Dim; ++d) exec::store(p.separation[d], &kept.pack[n].separation[d][0]);
-        });
-    kept.packs = packs;
+  static void find(const void* pairs, FieldView<const Real> volume, int first, Kept& kept) {
+    int n = -first;
+    for (int k = 0; k < kept.members; ++k) {
+      kept.begin[k] = n + first;
+      static_cast<const Pairs<Real, Dim, Kernel>*>(pairs)->visit(
+          kept.particle + k, [&](const auto& pair) __attribute__((always_inline)) {
+            if (static_cast<unsigned>(n) < static_cast<unsigned>(Kept::most)) {
+              const auto p = weighed<Real, Dim>(pair, volume);
+              kept.place[n] = pair.place;
+              exec::store(p.slope, &kept.pack[n].slope[0]);
+              for (int d = 0; d < Dim; ++d) exec::store(p.separation[d], &kept.pack[n].separation[d][0]);
+            }
+            ++n;
+          });
+    }
+    kept.begin[kept.members] = n + first;
     kept.first = first;
   }
 
   const void* pairs_;
-  void (*find_)(const void* pairs, FieldView<const Real> volume, Index i, int first, Kept& kept);
+  void (*find_)(const void* pairs, FieldView<const Real> volume, int first, Kept& kept);
   FieldView<const Real> volume_;
 };
 

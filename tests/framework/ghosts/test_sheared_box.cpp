@@ -68,10 +68,13 @@ TEST_P(ShearedBox, FindsEveryPairOnce) {
   for (Index i = 0; i < state.particles.count(); ++i) {
     for (auto n = grid.block_begin[i]; n < grid.block_begin[i + 1]; ++n) {
       const NeighbourBlock& block = grid.block[n];
-      for (Index j = block.first; j < block.first + block.lanes; ++j) {
+      for (int lane = 0; lane < block.lanes; ++lane) {
+        const Index j = block.particle(lane);
         double way[2];
-        for (int d = 0; d < 2; ++d)
-          way[d] = grid.local[d][i] - grid.offset[d][NeighbourBlock::most_shift + block.shift[d]] - grid.local[d][j];
+        for (int d = 0; d < 2; ++d) {
+          const double offset = grid.offset[d][NeighbourBlock::most_shift + block.shift_at(lane, d)];
+          way[d] = grid.local[d][i] - offset - grid.local[d][j];
+        }
         note(found, i, j < ghosts.first ? j : ghosts.source[j - ghosts.first], way[0], way[1]);
       }
     }

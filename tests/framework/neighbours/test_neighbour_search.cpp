@@ -30,8 +30,11 @@ void visit_runs(const Neighbours<double, 2>& grid, Index i, Form form, const Act
       const NeighbourBlock& block = grid.block[n];
       EXPECT_GT(block.lanes, 0);
       EXPECT_LE(block.lanes, NeighbourBlock::width<double>);
-      action(block.first, block.first + block.lanes, grid.offset[0][NeighbourBlock::most_shift + block.shift[0]],
-             grid.offset[1][NeighbourBlock::most_shift + block.shift[1]]);
+      for (int lane = 0; lane < block.lanes; ++lane) {
+        const Index j = block.particle(lane);
+        action(j, j + 1, grid.offset[0][NeighbourBlock::most_shift + block.shift_at(lane, 0)],
+               grid.offset[1][NeighbourBlock::most_shift + block.shift_at(lane, 1)]);
+      }
     }
     return;
   }

@@ -30,6 +30,46 @@ template <class Real, class Abi>
 [[gnu::always_inline]] inline void load(const Real* from, stdx::simd<Real, Abi>& lanes) {
   lanes.copy_from(from, stdx::element_aligned);
 }
+/// The first lanes from `first`, those from number `split` on from `second`. Where the processor has mask registers,
+/// one load each.
+template <class Real, class Abi>
+[[gnu::always_inline]] inline void load(const Real* first, const Real* second, int split,
+                                        stdx::simd<Real, Abi>& lanes) {
+  using Lane = stdx::simd<Real, Abi>;
+#ifdef __AVX512F__
+  if constexpr (sizeof(Lane) == 64 && sizeof(Real) == 4) {
+    lanes = Lane(_mm512_mask_loadu_ps(_mm512_loadu_ps(first), static_cast<__mmask16>(0xFFFFU << split), second));
+    return;
+  }
+  if constexpr (sizeof(Lane) == 64 && sizeof(Real) == 8) {
+    lanes = Lane(_mm512_mask_loadu_pd(_mm512_loadu_pd(first), static_cast<__mmask8>(0xFFU << split), second));
+    return;
+  }
+#endif
+  if (split >= static_cast<int>(Lane::size())) return load(first, lanes);
+  lanes = Lane([&](auto n) { return static_cast<int>(n) < split ? first[n] : second[n]; });
+}
+/// Puts x - y of `second` into lanes from number `split` on.
+template <class Real, class Abi>
+[[gnu::always_inline]] inline void subtract_from(int split, const stdx::simd<Real, Abi>& x,
+                                                 const stdx::simd<Real, Abi>& y, stdx::simd<Real, Abi>& lanes) {
+  using Lane = stdx::simd<Real, Abi>;
+#ifdef __AVX512F__
+  if constexpr (sizeof(Lane) == 64 && sizeof(Real) == 4) {
+    lanes = Lane(_mm512_mask_sub_ps(static_cast<__m512>(lanes), static_cast<__mmask16>(0xFFFFU << split),
+                                    static_cast<__m512>(x), static_cast<__m512>(y)));
+    return;
+  }
+  if constexpr (sizeof(Lane) == 64 && sizeof(Real) == 8) {
+    lanes = Lane(_mm512_mask_sub_pd(static_cast<__m512d>(lanes), static_cast<__mmask8>(0xFFU << split),
+                                    static_cast<__m512d>(x), static_cast<__m512d>(y)));
+    return;
+  }
+#endif
+  if (split >= static_cast<int>(Lane::size())) return;
+  const Lane other = x - y;
+  lanes = Lane([&](auto n) { return static_cast<int>(n) < split ? Real(lanes[n]) : Real(other[n]); });
+}
 template <class Real, class Abi>
 [[gnu::always_inline]] inline void store(const stdx::simd<Real, Abi>& lanes, Real* to) {
   lanes.copy_to(to, stdx::element_aligned);
@@ -129,6 +169,17 @@ template <class Real, class Abi>
   root = x * inverse;
 }
 
+/// sqrt(x) where its inverse is not needed. The unit that finds roots works beside those that multiply and add, but for
+/// a pack of double numbers it takes longer than they do.
+template <class Real, class Abi>
+[[gnu::always_inline]] inline stdx::simd<Real, Abi> find_root(const stdx::simd<Real, Abi>& x) {
+  if constexpr (sizeof(Real) == 4) return stdx::sqrt(x);
+  stdx::simd<Real, Abi> root;
+  stdx::simd<Real, Abi> inverse;
+  find_roots(x, root, inverse);
+  return root;
+}
+
 /// total[n] = sum over the lanes of packs[n]; the order of the additions is fixed.
 template <int Count, class Lane, class Real>
 [[gnu::always_inline]] inline void sum_lanes(const Lane (&packs)[Count], Real* total) {
@@ -187,6 +238,13 @@ MESOGEN_HOST_DEVICE inline void find_roots(float x, float& root, float& inverse)
 MESOGEN_HOST_DEVICE inline void find_roots(double x, double& root, double& inverse) {
   inverse = 1.0 / ::sqrt(x);
   root = x * inverse;
+}
+template <class Real>
+MESOGEN_HOST_DEVICE inline Real find_root(Real x) requires std::is_floating_point_v<Real> {
+  Real root;
+  Real inverse;
+  find_roots(x, root, inverse);
+  return root;
 }
 MESOGEN_HOST_DEVICE inline float where_less(float x, float limit, float given) { return x < limit ? given : 0.0F; }
 MESOGEN_HOST_DEVICE inline double where_less(double x, double limit, double given) { return x < limit ? given : 0.0; }

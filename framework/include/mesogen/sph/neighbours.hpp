@@ -14,7 +14,8 @@ struct Segment {
   Real offset[Dim];
 };
 
-/// A few neighbours of one particle that are contiguous in storage: what a pair sum handles at a time.
+/// A few neighbours of one particle: what a pair sum handles at a time. They are one or two runs that are contiguous in
+/// storage; two runs have the same shift along x.
 struct NeighbourBlock {
   /// Largest number of neighbours in a block: the number of lanes of the widest pack.
   template <class Real>
@@ -22,20 +23,26 @@ struct NeighbourBlock {
   static constexpr int most_dimensions = 3;
   static constexpr int most_shift = 127;
 
-  Index first;
-  std::int8_t lanes;                   ///< number of neighbours in the block
-  std::int8_t shift[most_dimensions];  ///< in cells, as in Segment
+  Index first;                                ///< lane n holds particle first + n, and from lane `split` on
+  Index second;                               ///< particle second + n; the same as `first` if there is one run
+  std::int8_t lanes;                          ///< number of neighbours in the block
+  std::int8_t split;                          ///< number of neighbours in the first run
+  std::int8_t shift[most_dimensions];         ///< of the first run, in cells, as in Segment
+  std::int8_t second_shift[most_dimensions];  ///< of the second run, or of the first if there is one run
+
+  [[nodiscard]] Index particle(int lane) const { return (lane < split ? first : second) + lane; }
+  [[nodiscard]] int shift_at(int lane, int axis) const { return (lane < split ? shift : second_shift)[axis]; }
 };
 
 /// The neighbours of each particle: the cell grid as a pair pass sees it. Trivially copyable.
 ///
 /// Particles are stored by cell. A cell is a quarter of the search range long (along x) and half of it high, so that
 /// the neighbours of a particle are five short contiguous runs in storage in 2D (25 in 3D). The parts of these runs
-/// that are within reach are found once per sorting, cut into blocks, and kept. Coordinates are relative to a tile (a
-/// group of cells of one row). They are small numbers, so float is accurate enough for any box size and any distance
-/// from the origin. The same offsets carry periodic images: a wrapped box needs no minimum image in the loop. Ghosts
-/// need no special treatment either: they are in cells outside the box. Wall particles are separate runs in the same
-/// cells.
+/// that are within reach are found once per sorting, put together to blocks, and kept. Coordinates are relative to a
+/// tile (a group of cells of one row). They are small numbers, so float is accurate enough for any box size and any
+/// distance from the origin. The same offsets carry periodic images: a wrapped box needs no minimum image in the loop.
+/// Ghosts need no special treatment either: they are in cells outside the box. Wall particles are separate runs in the
+/// same cells.
 template <class Real, int Dim>
 struct Neighbours {
   const Real* local[Dim];   ///< particle coordinates relative to the tile of their cell, m

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "mesogen/exec/for_each.hpp"
+#include "mesogen/exec/sum_across.hpp"
 #include "mesogen/sph/kernel_function.hpp"
 #include "mesogen/sph/pairs.hpp"
 
@@ -20,22 +21,58 @@
 /// The pair (i, i) is visited too, with separation exactly zero.
 namespace mesogen::sph {
 
-/// Sums for one particle. They stay in registers over all its neighbours, and their lanes are added up once.
+/// Sums for a group of particles, as many as a pack has lanes. Those of a particle stay in registers over all its
+/// neighbours. Lanes are added up once, for the particles of a group together.
 template <class Real, int Dim, class Kernel, class Pass>
 struct PairLoop {
   using Lane = typename Pairs<Real, Dim, Kernel>::Lane;
+  static constexpr int group = sizeof(Lane) / sizeof(Real);
+  static constexpr int count = Pass::sum_count;
   Pairs<Real, Dim, Kernel> pairs;
   Pass pass;
+  Index particles;
 
-  MESOGEN_HOST_DEVICE void operator()(Index i) const {
-    const auto own = pass.load(i);
-    Lane sums[Pass::sum_count];
-    exec::unroll<Pass::sum_count>([&](auto n) { sums[n] = Lane(Real(0)); });
+  /// The n-th group.
+  MESOGEN_HOST_DEVICE void operator()(Index n) const {
+    if constexpr (group == 1) {
+      const auto own = pass.load(n);
+      Lane sums[count];
+      sum(n, own, sums);
+      pass.finish(n, own, sums);
+    } else {
+      sum_group(n * group);
+    }
+  }
+
+ private:
+  [[gnu::always_inline]] void sum_group(Index first) const {
+    const int members = particles - first < group ? particles - first : group;
+    alignas(Lane) Real lanes[count][group][group];
+    for (int k = 0; k < members; ++k) {
+      Lane sums[count];
+      sum(first + k, pass.load(first + k), sums);
+      exec::unroll<count>([&](auto c) __attribute__((always_inline)) { exec::store(sums[c], &lanes[c][k][0]); });
+    }
+    Real total[count][group];
+    for (int c = 0; c < count; ++c) {
+      for (int k = members; k < group; ++k)
+        for (int lane = 0; lane < group; ++lane) lanes[c][k][lane] = Real(0);
+      Lane pack;
+      exec::sum_across(lanes[c], pack);
+      exec::store(pack, total[c]);
+    }
+    for (int k = 0; k < members; ++k) {
+      Real own[count];
+      exec::unroll<count>([&](auto c) __attribute__((always_inline)) { own[c] = total[c][k]; });
+      pass.finish(first + k, pass.load(first + k), own);
+    }
+  }
+
+  template <class Own>
+  [[gnu::always_inline]] MESOGEN_HOST_DEVICE void sum(Index i, const Own& own, Lane (&sums)[count]) const {
+    exec::unroll<count>([&](auto c) __attribute__((always_inline)) { sums[c] = Lane(Real(0)); });
     pairs.visit(
         i, [&](const auto& pair) __attribute__((always_inline)) { pass.pair(own, pair, &sums[0]); });
-    Real total[Pass::sum_count];
-    exec::sum_lanes(sums, total);
-    pass.finish(i, own, total);
   }
 };
 
@@ -70,9 +107,10 @@ struct FusedPass {
 template <class Real, int Dim, class Kernel, class Pass>
 void pair_sum_with(const exec::Space& space, const Neighbours<Real, Dim>& neighbours, const Kernel& function,
                    const Pass& pass) {
-  exec::for_each(space, neighbours.particle_count,
-                 PairLoop<Real, Dim, Kernel, Pass>{Pairs<Real, Dim, Kernel>(neighbours, function), pass},
-                 "a sum over neighbours");
+  using Loop = PairLoop<Real, Dim, Kernel, Pass>;
+  const Index particles = neighbours.particle_count;
+  exec::for_each(space, (particles + Loop::group - 1) / Loop::group,
+                 Loop{Pairs<Real, Dim, Kernel>(neighbours, function), pass, particles}, "a sum over neighbours");
 }
 
 /// The same with the kernel of the run. The function of the kernel is the one choice made at run time.

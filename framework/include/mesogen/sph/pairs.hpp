@@ -6,24 +6,61 @@
 
 namespace mesogen::sph {
 
+/// Where the values of a neighbour are stored, or those of a pack of neighbours.
+template <class Lane>
+struct Place {
+  Index j;
+
+  template <class Real>
+  [[gnu::always_inline]] MESOGEN_HOST_DEVICE Lane load(const Real* field) const {
+    Lane lane;
+    exec::load(field + j, lane);
+    return lane;
+  }
+};
+
+#ifndef __CUDACC__
+/// Of the pack of a block that begins with lane `from`.
+template <class Real, class Abi>
+struct Place<exec::stdx::simd<Real, Abi>> {
+  using Lane = exec::stdx::simd<Real, Abi>;
+  Index first;
+  Index second;
+  int split;  // before it in `first`, from it on in `second`
+
+  Place() = default;
+  [[gnu::always_inline]] explicit Place(const NeighbourBlock& block, int from = 0)
+      : first(block.first + from), second(block.second + from), split(block.split - from) {}
+
+  [[gnu::always_inline]] Lane load(const Real* field) const {
+    Lane lane;
+    exec::load(field + first, field + second, split, lane);
+    return lane;
+  }
+};
+#endif
+
 /// One pair (i, j), or one pack of pairs (i, j), (i, j + 1), ... Only what a pass asks for is computed.
 template <class Real, int Dim, class LaneType, class Kernel>
 struct Pair {
   using Lane = LaneType;
 
   Lane separation[Dim];   ///< r_i - r_j, m
+  Lane square;            ///< distance squared, m^2
   Lane distance;          ///< |r_i - r_j|, m; never exactly zero
   Lane inverse_distance;  ///< 1 / distance, 1/m
   const Kernel& kernel;
   Real radius;
-  Index j;
+  Place<Lane> place;  ///< of j
 
   /// Value of a field at particle j, or at the particles of the pack.
   [[gnu::always_inline]] MESOGEN_HOST_DEVICE Lane load(const FieldView<const Real>& field, int component = 0) const {
-    return load_from(field.base + component * field.stride + j);
+    return place.load(field.base + component * field.stride);
   }
   /// W(r_ij), 1/m^Dim.
   [[gnu::always_inline]] MESOGEN_HOST_DEVICE Lane value() const { return kernel.value(distance); }
+  /// The same for passes that need neither the distance nor its inverse: faster.
+  [[gnu::always_inline]] MESOGEN_HOST_DEVICE Lane value_alone() const { return kernel.value(exec::find_root(square)); }
   /// W'(r_ij) / r_ij, 1/m^(Dim + 2), negative. Times the separation, it is the gradient of W with respect to r_i.
   [[gnu::always_inline]] MESOGEN_HOST_DEVICE Lane gradient() const {
     return kernel.derivative(distance) * inverse_distance;
@@ -37,21 +74,14 @@ struct Pair {
     return exec::add_where_less(distance, Lane(radius), x, sum);
   }
 
- private:
-  [[gnu::always_inline]] MESOGEN_HOST_DEVICE static Lane load_from(const Real* from) {
-    Lane lane;
-    exec::load(from, lane);
-    return lane;
-  }
-
- public:
   /// `at`: r_i in the coordinates of j, m. `least_square`: added to the square of the distance, m^2.
-  [[gnu::always_inline]] MESOGEN_HOST_DEVICE Pair(const Neighbours<Real, Dim>& n, const Kernel& k, Index first,
-                                                  const Lane (&at)[Dim], const Lane& least_square)
-      : kernel(k), radius(n.radius), j(first) {
-    Lane square = least_square;
+  [[gnu::always_inline]] MESOGEN_HOST_DEVICE Pair(const Neighbours<Real, Dim>& n, const Kernel& k,
+                                                  const Place<Lane>& where, const Lane (&at)[Dim],
+                                                  const Lane& least_square)
+      : kernel(k), radius(n.radius), place(where) {
+    square = least_square;
     exec::unroll<Dim>([&](auto d) {
-      separation[d] = at[d] - load_from(n.local[d] + first);
+      separation[d] = at[d] - place.load(n.local[d]);
       square = separation[d] * separation[d] + square;
     });
     exec::find_roots(square, distance, inverse_distance);
@@ -79,7 +109,7 @@ class Pairs {
       Real position[Dim];
       for (int d = 0; d < Dim; ++d) position[d] = neighbours_.local[d][i] - segment[s].offset[d];
       for (Index j = segment[s].begin; j < segment[s].end; ++j)
-        action(Pair<Real, Dim, Real, Kernel>(neighbours_, kernel_, j, position, neighbours_.smallest));
+        action(Pair<Real, Dim, Real, Kernel>(neighbours_, kernel_, {j}, position, neighbours_.smallest));
     }
   }
 #else
@@ -119,15 +149,22 @@ class Pairs {
   template <class Action>
   [[gnu::always_inline]] void visit_block(const Centre& centre, const NeighbourBlock& block,
                                           const Action& action) const {
-    Lane position[Dim];
-    exec::unroll<Dim>([&](auto d) __attribute__((always_inline)) {
-      position[d] = centre.local[d] - Lane(neighbours_.offset[d][NeighbourBlock::most_shift + block.shift[d]]);
-    });
+    const auto offset = [&](int axis, std::ptrdiff_t shift) __attribute__((always_inline)) {
+      return Lane((neighbours_.offset[axis] + NeighbourBlock::most_shift)[shift]);
+    };
+    const Real* const least_square = least_square_ + width - std::ptrdiff_t(block.lanes);
     for (int lane = 0; lane < width; lane += int(Lane::size())) {
       if (lane > 0 && lane >= block.lanes) break;
+      const Place<Lane> place(block, lane);
+      Lane position[Dim];
+      exec::unroll<Dim>([&](auto d) __attribute__((always_inline)) {
+        position[d] = centre.local[d] - offset(d, block.shift[d]);
+        if constexpr (d > 0)
+          exec::subtract_from(place.split, centre.local[d], offset(d, block.second_shift[d]), position[d]);
+      });
       Lane least;
-      exec::load(least_square_ + width - block.lanes + lane, least);
-      action(lane, Pair<Real, Dim, Lane, Kernel>(neighbours_, kernel_, block.first + lane, position, least));
+      exec::load(least_square + lane, least);
+      action(lane, Pair<Real, Dim, Lane, Kernel>(neighbours_, kernel_, place, position, least));
     }
   }
 
