@@ -49,7 +49,7 @@ struct Volume {
   struct Own {};
   template <class Pair, class Lane>
   void pair(const Own&, const Pair& p, Lane* sum) const {
-    sum[0] = sum[0] + p.value();
+    sum[0] = sum[0] + p.value_alone();
   }
 };
 
@@ -95,7 +95,7 @@ using RadialMomentum = wcsph::Momentum<Real, 2, true, wcsph::PressureForm::corre
 template <class Real>
 using Diffusion = wcsph::DensityDiffusion<Real>;
 template <class Real>
-using AllOfWcsph = sph::FusedPass<sph::FusedPass<Shift<Real>, Momentum<Real>>, Diffusion<Real>>;
+using AllOfWcsph = sph::FusedPass<Shift<Real>, wcsph::MomentumAndDiffusion<Momentum<Real>, Diffusion<Real>>>;
 
 template <class Real, class Pass>
 void fill_shift(Bed<Real>& bed, Pass& pass) {
@@ -152,9 +152,9 @@ std::map<std::string, Case<Real>> cases(Bed<Real>& bed) {
   all["pressure, radial viscosity"] = sum<Real, RadialMomentum>(bed, [&](auto& pass) { fill_momentum(bed, pass); });
   all["density diffusion"] = sum<Real, Diffusion>(bed, [&](auto& pass) { fill_diffusion(bed, pass); });
   all["pressure, viscosity, shift and density diffusion"] = sum<Real, AllOfWcsph>(bed, [&](auto& pass) {
-    fill_shift(bed, pass.first.first);
-    fill_momentum(bed, pass.first.second);
-    fill_diffusion(bed, pass.second);
+    fill_shift(bed, pass.first);
+    fill_momentum(bed, pass.second.momentum);
+    fill_diffusion(bed, pass.second.diffusion);
   });
   return all;
 }

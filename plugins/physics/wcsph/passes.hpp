@@ -44,7 +44,13 @@ struct DensityDiffusion {
 
   template <class Pair, class Lane>
   [[gnu::always_inline]] MESOGEN_HOST_DEVICE void pair(const Own& own, const Pair& p, Lane* sum) const {
-    sum[0] = sum[0] + p.load(volume) * p.gradient() * (Lane(own) - p.load(compression));
+    add(own, p, p.load(volume) * p.gradient(), sum);
+  }
+  /// `weight`: V_j W'_ij / r_ij.
+  template <class Pair, class Lane>
+  [[gnu::always_inline]] MESOGEN_HOST_DEVICE void add(const Own& own, const Pair& p, const Lane& weight,
+                                                      Lane* sum) const {
+    sum[0] = sum[0] + weight * (Lane(own) - p.load(compression));
   }
 
   MESOGEN_HOST_DEVICE void finish(Index i, const Own&, const Real* sum) const {
@@ -98,19 +104,18 @@ struct Shift {
 
   MESOGEN_HOST_DEVICE void finish(Index i, const Own&, const Real* sum) const {
     Real square = Real(0);
-    Real speed;
+    Real speed;  // in smoothing lengths, 1/s
     if constexpr (BySpread) {
       for (int d = 0; d < Dim; ++d) square += sum[weighted_velocity + d] * sum[weighted_velocity + d];
-      speed = exec::square_root(square) / sum[weight];
+      speed = exec::square_root(square) / (sum[weight] * smoothing_length);
     } else {
       for (int c = 0; c < Dim * Dim; ++c) square += velocity_gradient(c, i) * velocity_gradient(c, i);
-      speed = smoothing_length * exec::square_root(square);
+      speed = exec::square_root(square);
     }
     // The particle itself was counted, at distance zero.
     const Real others = sum[neighbours] - Real(1);
-    const Real mean_distance = others > Real(0) ? sum[distances] / others : Real(0);
-    const Real relative = mean_distance / smoothing_length;
-    Real scale = strength * relative * relative * speed / smoothing_length;
+    const Real relative = others > Real(0) ? sum[distances] / (others * smoothing_length) : Real(0);
+    Real scale = strength * relative * relative * speed;
     Real pushed = Real(0);
     for (int d = 0; d < Dim; ++d) pushed += sum[push + d] * sum[push + d];
     pushed = exec::square_root(pushed);
@@ -213,7 +218,12 @@ struct Momentum {
   template <class Pair, class Lane>
   [[gnu::always_inline]] MESOGEN_HOST_DEVICE void pair(const Own& own, const Pair& p, Lane* sum) const {
     const Lane slope = p.gradient();
-    const Lane g = p.load(volume) * slope;
+    add(own, p, slope, p.load(volume) * slope, sum);
+  }
+  /// `slope`: W'_ij / r_ij; `g`: V_j times it.
+  template <class Pair, class Lane>
+  [[gnu::always_inline]] MESOGEN_HOST_DEVICE void add(const Own& own, const Pair& p, const Lane& slope, const Lane& g,
+                                                      Lane* sum) const {
     const Lane other = p.load(pressure);
     const Lane weight = Form == PressureForm::conservative ? slope : g;
     const Lane push =
@@ -243,6 +253,34 @@ struct Momentum {
       if constexpr (Form == PressureForm::conservative) total -= mass * sum[a];
       acceleration(a, i) += total;
     }
+  }
+};
+
+/// Both in one loop, with one weight per pair.
+template <class Momentum, class Diffusion>
+struct MomentumAndDiffusion {
+  static constexpr int sum_count = Momentum::sum_count + Diffusion::sum_count;
+  Momentum momentum;
+  Diffusion diffusion;
+
+  struct Own {
+    typename Momentum::Own momentum;
+    typename Diffusion::Own diffusion;
+  };
+  MESOGEN_HOST_DEVICE Own load(Index i) const { return {momentum.load(i), diffusion.load(i)}; }
+
+  template <class Pair, class Lane>
+  [[gnu::always_inline]] MESOGEN_HOST_DEVICE void pair(const Own& own, const Pair& p, Lane* sum) const {
+    const Lane slope = p.gradient();
+    const Lane g = p.load(momentum.volume) * slope;
+    momentum.add(own.momentum, p, slope, g, sum);
+    diffusion.add(own.diffusion, p, g, sum + Momentum::sum_count);
+  }
+
+  template <class Real>
+  MESOGEN_HOST_DEVICE void finish(Index i, const Own& own, const Real* sum) const {
+    momentum.finish(i, own.momentum, sum);
+    diffusion.finish(i, own.diffusion, sum + Momentum::sum_count);
   }
 };
 

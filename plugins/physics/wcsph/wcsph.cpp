@@ -83,10 +83,10 @@ class Wcsph final : public Physics {
       using Momentum = wcsph::Momentum<Real, Dim, false, PressureForm::corrected>;
       using Diffusion = wcsph::DensityDiffusion<Real>;
       sph::pair_sum(context.space(), context.neighbours<Real, Dim>(), context.kernel(),
-                    sph::FusedPass<sph::FusedPass<Shift, Momentum>, Diffusion>{
-                        {wcsph::shift_sums<Real, Dim, false>(context, shift_),
-                         wcsph::momentum_sums<Real, Dim, false, PressureForm::corrected>(context, fluid_)},
-                        wcsph::diffusion_sums<Real>(context, fluid_.density_diffusivity(delta_))});
+                    sph::FusedPass<Shift, wcsph::MomentumAndDiffusion<Momentum, Diffusion>>{
+                        wcsph::shift_sums<Real, Dim, false>(context, shift_),
+                        {wcsph::momentum_sums<Real, Dim, false, PressureForm::corrected>(context, fluid_),
+                         wcsph::diffusion_sums<Real>(context, fluid_.density_diffusivity(delta_))}});
     });
   }
 
