@@ -33,17 +33,17 @@ struct WeightLoop {
 
   void operator()(Index i) const {
     typename Source::Kept kept;
-    source.keep(i, kept);
+    source.keep(i, 1, kept);
     Lane moments[Fit::sum_count] = {};
     source.visit(
-        i, kept, [&](const auto& p, Index) __attribute__((always_inline)) { fit.add(p, moments); });
+        i, 0, kept, [&](const auto& p, const auto&) __attribute__((always_inline)) { fit.add(p, moments); });
     Real total[Fit::sum_count];
     exec::sum_lanes(moments, total);
     Real weight[Fit::weight_count];
     fit.solve(total, weight);
     Places places(neighbours, i);
     source.visit(
-        i, kept, [&](const auto& p, Index) __attribute__((always_inline)) {
+        i, 0, kept, [&](const auto& p, const auto&) __attribute__((always_inline)) {
           const std::int64_t lane = places.next();
           Lane slope[Dim];
           for (int d = 0; d < Dim; ++d) slope[d] = p.slope * p.separation[d];
@@ -120,9 +120,10 @@ struct LaplacianLoop {
       const NeighbourBlock& seen = neighbours.block[block];
       for (int lane = 0; lane < NeighbourBlock::width<Real>; lane += group) {
         if (lane > 0 && lane >= seen.lanes) break;
+        const Place<Lane> place(seen, lane);
         const Lane w = load(weight + block * NeighbourBlock::width<Real> + lane);
         exec::unroll<Count>([&](auto c) __attribute__((always_inline)) {
-          sum[c] = sum[c] + w * (load(source[c] + seen.first + lane) - own[c]);
+          sum[c] = sum[c] + w * (place.load(source[c]) - own[c]);
         });
       }
     }
