@@ -69,6 +69,7 @@ void ask(PluginFacts& facts, Observer& observer, const PluginRegistry& registry)
   }
   facts.reads = plan.read_list();
   facts.reads_if_present = plan.optional_list();
+  facts.reads_otherwise = plan.otherwise_list();
   facts.quantities.assign(plan.quantities().begin(), plan.quantities().end());
   facts.follows = plan.follows();
 }

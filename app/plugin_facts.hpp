@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -37,6 +38,7 @@ struct PluginFacts {
 
   std::vector<std::string> reads;  ///< observers
   std::vector<std::string> reads_if_present;
+  std::map<std::string, std::string> reads_otherwise;  ///< in place of which of those
   std::vector<Quantity> quantities;
   bool follows = false;  ///< looks after every step
 

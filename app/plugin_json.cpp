@@ -91,6 +91,7 @@ Json plugin_json(const PluginFacts& plugin) {
   if (plugin.kind == PluginKind::observer) {
     one["reads"] = plugin.reads;
     one["reads_if_present"] = plugin.reads_if_present;
+    one["reads_otherwise"] = plugin.reads_otherwise;
     one["every_step"] = plugin.follows;
     one["quantities"] = quantities_json(plugin);
   }

@@ -83,6 +83,7 @@ void tell_passes(Text& text, const PluginFacts& plugin) {
 void tell_quantities(Text& text, const PluginFacts& plugin) {
   text.list("reads", plugin.reads);
   text.list("reads if present", plugin.reads_if_present);
+  for (const auto& [field, otherwise] : plugin.reads_otherwise) text.line("reads without {}: {}", field, otherwise);
   if (plugin.follows) text.line("looks after every step");
   if (!plugin.quantities.empty()) text.line("quantities:");
   for (const auto& quantity : plugin.quantities)

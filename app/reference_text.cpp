@@ -120,6 +120,8 @@ void write_passes(Page& page, const PluginFacts& plugin) {
 void write_quantities(Page& page, const PluginFacts& plugin) {
   if (!plugin.reads.empty()) page.line("\nReads {}.", codes(plugin.reads));
   if (!plugin.reads_if_present.empty()) page.line("\nReads {} if present.", codes(plugin.reads_if_present));
+  for (const auto& [field, otherwise] : plugin.reads_otherwise)
+    page.line("\nReads {} if there is no {}.", code(otherwise), code(field));
   if (plugin.quantities.empty()) return;
   page.line("\nQuantities:\n");
   page.table({"quantity", "form", "unit", "meaning"});

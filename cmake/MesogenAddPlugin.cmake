@@ -8,7 +8,7 @@
 #   <name>.contract  what every plugin of its kind must hold: `mesogen plugin check`
 #   <name>.*         the GoogleTest cases of TEST, with mesogen/testing/plugin_harness.hpp at hand
 #
-#   VECTORISED  it has pair sums of its own: build it for the wider instruction sets too; the loader picks one
+#   VECTORISED  it has pair sums or other long loops of its own: build it for the wider instruction sets too; the loader picks one
 #   HOST_ONLY   it has loops of its own that a device cannot run: no library for CUDA is built from it
 #   CONTRACT    arguments of `mesogen plugin check`, where the values that it chooses by itself will not do
 function(mesogen_add_plugin)

@@ -66,7 +66,8 @@ SetupAdditions SceneCompletion::additions() {
   };
   all.readers = [this](Setup& setup) {
     for (const auto& member : setup.observers)
-      for (const std::string& field : member.plan.read_list())
+      for (const std::string& field :
+           member.plan.fields([&](const std::string& name) { return setup.catalogue.exists(name); }))
         add_missing(setup, field, false, "observers." + member.instance);
     keep_all(setup);
   };

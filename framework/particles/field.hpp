@@ -11,22 +11,10 @@
 #include "exec/backend.hpp"
 #include "mesogen/export.hpp"
 #include "mesogen/fields/field_kind.hpp"
+#include "mesogen/fields/field_reader.hpp"
 #include "mesogen/fields/field_view.hpp"
 
 namespace mesogen {
-
-/// Values of a field on the host, in the best precision there is: brought there once, then read.
-class FieldReader {
- public:
-  FieldReader(FieldView<const double> exact, FieldView<const float> single) : exact_(exact), single_(single) {}
-  [[nodiscard]] double operator()(int component, Index particle) const {
-    return exact_ ? exact_(component, particle) : static_cast<double>(single_(component, particle));
-  }
-
- private:
-  FieldView<const double> exact_;
-  FieldView<const float> single_;
-};
 
 /// A named array over the particles of the fluid, those of walls, and ghosts.
 ///

@@ -18,6 +18,24 @@ void ObserverPlan::reads(std::string_view field) { reads_.emplace_back(field); }
 
 void ObserverPlan::reads_if_present(std::string_view field) { optional_.emplace_back(field); }
 
+void ObserverPlan::reads_if_present(std::string_view field, std::string_view otherwise) {
+  reads_if_present(field);
+  otherwise_.emplace(field, otherwise);
+}
+
+std::vector<std::string> ObserverPlan::fields(const std::function<bool(const std::string&)>& has) const {
+  std::vector<std::string> all = reads_;
+  for (const std::string& field : optional_) {
+    const auto other = otherwise_.find(field);
+    if (has(field)) {
+      all.push_back(field);
+    } else if (other != otherwise_.end()) {
+      all.push_back(other->second);
+    }
+  }
+  return all;
+}
+
 Quantity& ObserverPlan::scalar(std::string_view name) {
   Quantity& quantity = quantities_.emplace_back();
   quantity.name = name;

@@ -16,15 +16,12 @@ class DeclaredView final : public StateView {
   DeclaredView(const State& state, const Setup& setup, const Setup::ObserverMember& observer, bool following)
       : StateView(state), setup_(setup), observer_(observer), following_(following) {}
 
+  [[nodiscard]] FieldReader field(std::string_view name) const override {
+    check(name);
+    return StateView::field(name);
+  }
   [[nodiscard]] std::vector<double> values(std::string_view name, int component) const override {
-    const auto& declared = observer_.fields;
-    const std::string reads = "it reads the field '" + std::string(name) + "'";
-    if (std::find(declared.begin(), declared.end(), name) == declared.end())
-      throw Error(ExitCode::plugin_refused, reads + ", which it did not declare: name it in plan()");
-    if (following_ && !setup_.catalogue.outlasts_step(name))
-      throw Error(ExitCode::plugin_refused, reads +
-                                                " in follow(): only fields that are advanced in time are up to date "
-                                                "after every step; read it in sample()");
+    check(name);
     return StateView::values(name, component);
   }
   [[nodiscard]] bool has(std::string_view name) const override {
@@ -33,6 +30,17 @@ class DeclaredView final : public StateView {
   }
 
  private:
+  void check(std::string_view name) const {
+    const auto& declared = observer_.fields;
+    const std::string reads = "it reads the field '" + std::string(name) + "'";
+    if (std::find(declared.begin(), declared.end(), name) == declared.end())
+      throw Error(ExitCode::plugin_refused, reads + ", which it did not declare: name it in plan()");
+    if (following_ && !setup_.catalogue.outlasts_step(name))
+      throw Error(ExitCode::plugin_refused, reads +
+                                                " in follow(): only fields that are advanced in time are up to date "
+                                                "after every step; read it in sample()");
+  }
+
   const Setup& setup_;
   const Setup::ObserverMember& observer_;
   bool following_;

@@ -72,7 +72,11 @@ std::string Replay::missing_source(const std::string& field) const {
 void Replay::choose_fields() {
   std::string problems;
   for (auto& member : setup_.observers) {
-    const auto& required = member.plan.read_list();
+    auto required = member.plan.read_list();
+    for (const auto& [field, otherwise] : member.plan.otherwise_list()) {
+      required.push_back(otherwise);
+      if (setup_.catalogue.exists(field) && !missing_source(field).empty()) member.fields.push_back(otherwise);
+    }
     std::erase_if(member.fields, [&](const std::string& field) {
       const std::string missing = missing_source(field);
       if (missing.empty()) return false;

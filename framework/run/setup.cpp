@@ -27,9 +27,7 @@ void plan_observers(SetupContext& context) {
     context.attempt(source.observers[n], [&] {
       auto& member = setup.observers[n];
       call_plugin(member.type, "plan()", [&] { member.plugin->plan(setup.scene, member.plan); });
-      member.fields = member.plan.read_list();
-      for (const std::string& field : member.plan.optional_list())
-        if (setup.catalogue.exists(field)) member.fields.push_back(field);
+      member.fields = member.plan.fields([&](const std::string& field) { return setup.catalogue.exists(field); });
     });
 }
 

@@ -4,6 +4,9 @@
 #include <string>
 
 #include "mesogen/diagnostics/error.hpp"
+#include "mesogen/exec/first_failure.hpp"
+#include "mesogen/exec/for_each.hpp"
+#include "neighbours/outside.hpp"
 
 namespace mesogen {
 
@@ -25,13 +28,24 @@ std::vector<double> StateView::values(std::string_view name, int component) cons
 std::vector<double> StateView::position(int axis) const {
   std::vector<double> all(state_.particles.id.size());
   const auto position = exec::pointers(state_.particles.position, exec::Side::host);
-  for (std::size_t i = 0; i < all.size(); ++i) {
+  const Scene& scene = state_.scene;
+  exec::FirstFailure failure;
+#pragma omp parallel for schedule(static)
+  for (Index i = 0; i < state_.particles.count(); ++i) {
     std::array<double, 3> at{};
-    std::array<std::int32_t, 3> images{};
-    for (int d = 0; d < state_.scene.dimension; ++d) at[d] = position[d][i];
-    state_.boundary.keep_inside(state_.scene, at.data(), images.data());
-    all[i] = at[axis];
+    for (int d = 0; d < scene.dimension; ++d) at[d] = position[d][i];
+    // Only since the last sorting a particle can have left the box.
+    if (!exec::is_inside(position.data(), scene.box.data(), scene.dimension, i)) {
+      try {
+        std::array<std::int32_t, 3> images{};
+        state_.boundary.keep_inside(scene, at.data(), images.data());
+      } catch (...) {
+        failure.keep();
+      }
+    }
+    all[static_cast<std::size_t>(i)] = at[axis];
   }
+  failure.rethrow();
   return all;
 }
 
@@ -39,7 +53,11 @@ std::vector<double> StateView::unwrapped(int axis) const {
   std::vector<double> all(state_.particles.id.size());
   const auto position = state_.particles.position[axis].host();
   const auto images = state_.particles.images[axis].host();
-  for (std::size_t i = 0; i < all.size(); ++i) all[i] = position[i] + images[i] * state_.scene.box[axis];
+  const double length = state_.scene.box[axis];
+  exec::for_each(exec::Space{}, state_.particles.count(), [=, to = all.data()](Index i) {
+    const auto at = static_cast<std::size_t>(i);
+    to[i] = position[at] + images[at] * length;
+  });
   return all;
 }
 

@@ -16,7 +16,8 @@ class MESOGEN_EXPORT StateView : public ObserverContext {
   explicit StateView(const State& state) : state_(state) {}
   ~StateView() override;
 
-  [[nodiscard]] std::vector<double> values(std::string_view field, int component) const override;
+  [[nodiscard]] FieldReader field(std::string_view name) const override { return state_.fields.at(name).reader(); }
+  [[nodiscard]] std::vector<double> values(std::string_view name, int component) const override;
   [[nodiscard]] bool has(std::string_view field) const override { return state_.fields.find(field) != nullptr; }
   [[nodiscard]] std::vector<double> position(int axis) const override;
   [[nodiscard]] std::vector<double> unwrapped(int axis) const override;

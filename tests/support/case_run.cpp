@@ -55,10 +55,8 @@ Sample CaseRun::sample(const std::string& name) {
   observer->parameters(list);
   ObserverPlan plan;
   observer->plan(state().scene, plan);
-  std::vector<std::string> fields = plan.read_list();
-  for (const std::string& field : plan.optional_list())
-    if (state().fields.find(field) != nullptr) fields.push_back(field);
-  stepper_->executor().prepare(fields);
+  stepper_->executor().prepare(
+      plan.fields([this](const std::string& field) { return state().fields.find(field) != nullptr; }));
   Sample sample;
   const StateView view(state());
   observer->start(view);

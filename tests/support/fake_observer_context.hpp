@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <deque>
 #include <functional>
 #include <limits>
 #include <map>
@@ -91,6 +92,12 @@ class FakeObserverContext final : public ObserverContext {
   /// Stores particles in another order.
   void store_anew(unsigned seed) { std::shuffle(id_.begin(), id_.end(), std::mt19937(seed)); }
 
+  [[nodiscard]] FieldReader field(std::string_view name) const override {
+    std::vector<double>& all = read_.emplace_back();
+    for (const auto& component : fields_.at(std::string(name)))
+      for (const double value : stored(component)) all.push_back(value);
+    return {{all.data(), static_cast<std::ptrdiff_t>(id_.size())}, {}};
+  }
   [[nodiscard]] std::vector<double> values(std::string_view field, int component) const override {
     return stored(fields_.at(std::string(field)).at(static_cast<std::size_t>(component)));
   }
@@ -128,6 +135,7 @@ class FakeObserverContext final : public ObserverContext {
   std::vector<std::int64_t> id_;                                    // in storage order
   std::map<std::string, std::vector<std::vector<double>>> fields_;  // components by id
   std::map<std::string, double> constants_;
+  mutable std::deque<std::vector<double>> read_;  // what fields were read, in the order of storage
 };
 
 /// An observer of the built plugin library, as a run uses it.

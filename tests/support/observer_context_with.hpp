@@ -13,6 +13,7 @@ class ObserverContextWith final : public ObserverContext {
     if (walls) scene_.periodic = {false, false, false};
   }
 
+  [[nodiscard]] FieldReader field(std::string_view name) const override { return from_.field(name); }
   [[nodiscard]] std::vector<double> values(std::string_view field, int component) const override {
     return from_.values(field, component);
   }

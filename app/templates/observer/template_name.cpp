@@ -6,8 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "mesogen/exec/compensated_sum.hpp"
-#include "mesogen/plugin/by_id.hpp"
+#include "mesogen/exec/exact_sum.hpp"
 #include "mesogen/plugin/observer.hpp"
 #include "mesogen/plugin/plugin.hpp"
 
@@ -28,14 +27,12 @@ class TemplateNamePlugin final : public Observer {
     plan.scalar("highest").unit("m/s").doc("highest mean speed of all samples so far");
   }
 
-  // Summed by particle id: the order of storage changes during a run, but the sum must always have the same bits.
+  // Summed exactly: the order of storage changes during a run, but the sum must always have the same bits.
   void sample(const ObserverContext& context, Sample& sample) override {
-    const ById particles(context);
-    const auto u = particles.values("velocity", 0);
-    const auto v = particles.values("velocity", 1);
-    exec::CompensatedSum sum;
-    for (std::size_t i = 0; i < u.size(); ++i) sum.add(std::hypot(u[i], v[i]));
-    const double mean = sum.value() / static_cast<double>(u.size());
+    const FieldReader u = context.field("velocity");
+    exec::ExactSum sum;
+    for (Index i = 0; i < context.count(); ++i) sum.add(std::hypot(u(0, i), u(1, i)));
+    const double mean = sum.value() / context.count();
     highest_ = std::max(highest_, mean);
     sample.set("mean_speed", mean);
     sample.set("highest", highest_);

@@ -14,7 +14,6 @@
 #include "autocorrelation.hpp"
 #include "mesogen/exec/dispatch.hpp"
 #include "mesogen/mesh/observed_modes.hpp"
-#include "mesogen/plugin/by_id.hpp"
 #include "mesogen/plugin/observer.hpp"
 #include "mesogen/plugin/plugin.hpp"
 
@@ -50,9 +49,8 @@ class Flow {
   Flow(const Scene& scene, double mesh_spacing) : observed_(scene, mesh_spacing) {}
 
   Powers powers(const ObserverContext& context) {
-    const ById particles(context);
-    observed_.locate(particles);
-    const auto modes = observed_.template modes<Dim>(particles, "velocity");
+    observed_.locate(context);
+    const auto modes = observed_.template modes<Dim>(context, "velocity");
     Powers powers{std::vector<double>(modes[0].size()), std::vector<double>(modes[0].size())};
     observed_.spectrum().kept().for_each([&](std::size_t n, const auto& k) {
       std::array<mesh::Complex, Dim> u{};
@@ -66,7 +64,7 @@ class Flow {
 
   /// Share of the velocity's mean square about its mean beyond modes which hold so much of it.
   [[nodiscard]] double beyond(const ObserverContext& context, double mean_square) const {
-    return observed_.template share_beyond<Dim>(ById(context), "velocity", mean_square);
+    return observed_.template share_beyond<Dim>(context, "velocity", mean_square);
   }
 
   [[nodiscard]] const mesh::Grid<Dim>& grid() const { return observed_.grid(); }

@@ -16,10 +16,11 @@
 
 #include "local_fit.hpp"
 #include "mesogen/diagnostics/error.hpp"
+#include "mesogen/neighbours/point_cells.hpp"
 #include "mesogen/nematics/defect_search.hpp"
-#include "mesogen/plugin/by_id.hpp"
 #include "mesogen/plugin/observer.hpp"
 #include "mesogen/plugin/plugin.hpp"
+#include "mesogen/plugin/stored_positions.hpp"
 #include "mesogen/sph/kernel_function.hpp"
 
 namespace mesogen {
@@ -103,18 +104,16 @@ class Patch {
 /// Those that are at least `distance`, m, away from every other, whatever its charge.
 std::vector<nematics::Defect> isolated(const std::vector<nematics::Defect>& defects, const Scene& scene,
                                        double distance) {
+  std::vector<std::array<double, 2>> points;
+  for (const auto& defect : defects) points.push_back(defect.position);
+  const double radius = std::min(distance, std::hypot(scene.box[0], scene.box[1]));  // none is farther away
+  const PointCells<2> cells(scene, points, radius);
   std::vector<nematics::Defect> kept;
   for (std::size_t i = 0; i < defects.size(); ++i) {
     bool alone = true;
-    for (std::size_t j = 0; j < defects.size(); ++j) {
-      if (j == i) continue;
-      double square = 0.0;
-      for (std::size_t d = 0; d < 2; ++d) {
-        const double along = defects[j].position[d] - defects[i].position[d];
-        square += std::pow(scene.periodic[d] ? std::remainder(along, scene.box[d]) : along, 2);
-      }
-      alone = alone && square >= distance * distance;
-    }
+    cells.within(points[i], radius, [&](Index j, const auto&, double square) {
+      if (static_cast<std::size_t>(j) != i && square < distance * distance) alone = false;
+    });
     if (alone) kept.push_back(defects[i]);
   }
   return kept;
@@ -215,18 +214,17 @@ class DefectFlow final : public Observer {
 
  private:
   static Flow flow_of(const ObserverContext& context, double radius) {
-    const ById particles(context);
-    const auto u = particles.values("velocity", 0);
-    const auto v = particles.values("velocity", 1);
-    std::vector<double> vorticity(particles.count(), std::numeric_limits<double>::quiet_NaN());
+    const auto u = context.values("velocity", 0);
+    const auto v = context.values("velocity", 1);
+    std::vector<double> vorticity(u.size(), std::numeric_limits<double>::quiet_NaN());
     if (context.has("velocity_gradient")) {
-      const auto dv_dx = particles.values("velocity_gradient", 2);
-      const auto du_dy = particles.values("velocity_gradient", 1);
+      const auto dv_dx = context.values("velocity_gradient", 2);
+      const auto du_dy = context.values("velocity_gradient", 1);
       for (std::size_t i = 0; i < vorticity.size(); ++i) vorticity[i] = dv_dx[i] - du_dy[i];
     }
-    std::vector<Flow::Values> values(particles.count());
+    std::vector<Flow::Values> values(u.size());
     for (std::size_t i = 0; i < values.size(); ++i) values[i] = {u[i], v[i], vorticity[i]};
-    return {context.scene(), particles.positions<2>(), std::move(values), radius};
+    return {context.scene(), stored_positions<2>(context), std::move(values), radius};
   }
 
   std::optional<double> radius_;

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -229,7 +230,13 @@ TEST(DefectFlow, OrderOfStorageDoesNotMatter) {
   const ObserverContextWith walled(context, true);
   const auto before = observer_with(walled).sample(walled).at("plus");
   context.store_anew(6);
-  EXPECT_EQ(observer_with(walled).sample(walled).at("plus"), before);
+  const auto after = observer_with(walled).sample(walled).at("plus");
+  ASSERT_EQ(after.size(), before.size());
+  EXPECT_GT(std::count_if(before.begin(), before.end(), [](double x) { return !std::isnan(x); }), 100);
+  for (std::size_t n = 0; n < before.size(); ++n) {
+    const double wanted = std::isnan(before[n]) ? 0.0 : before[n];
+    EXPECT_NEAR(std::isnan(after[n]) ? 0.0 : after[n], wanted, 1e-11) << n;
+  }
 }
 
 TEST(DefectFlow, WithoutTheGradientThereIsNoVorticity) {

@@ -20,7 +20,6 @@
 #include "mesogen/diagnostics/error.hpp"
 #include "mesogen/exec/dispatch.hpp"
 #include "mesogen/mesh/observed_modes.hpp"
-#include "mesogen/plugin/by_id.hpp"
 #include "mesogen/plugin/observer.hpp"
 #include "mesogen/plugin/plugin.hpp"
 
@@ -106,12 +105,11 @@ class Spectrum {
   };
 
   Seen look(const ObserverContext& context) {
-    const ById particles(context);
-    observed_.locate(particles);
-    Seen seen{shared_out(observed_.template modes<Dim>(particles, "velocity"))};
+    observed_.locate(context);
+    Seen seen{shared_out(observed_.template modes<Dim>(context, "velocity"))};
     double energy = 0.0;
     for (const Shell& shell : seen.shells) energy += shell.energy;
-    seen.beyond = observed_.template share_beyond<Dim>(particles, "velocity", 2.0 * energy);
+    seen.beyond = observed_.template share_beyond<Dim>(context, "velocity", 2.0 * energy);
     return seen;
   }
 

@@ -8,22 +8,41 @@
 #include <cmath>
 #include <limits>
 
-#include "mesogen/exec/compensated_sum.hpp"
 #include "mesogen/exec/dispatch.hpp"
+#include "mesogen/exec/exact_sum.hpp"
 #include "mesogen/neighbours/point_cells.hpp"
-#include "mesogen/plugin/by_id.hpp"
 #include "mesogen/plugin/observer.hpp"
 #include "mesogen/plugin/plugin.hpp"
+#include "mesogen/plugin/stored_positions.hpp"
 
 namespace mesogen {
 namespace {
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
-double mean(const std::vector<double>& values) {
-  exec::CompensatedSum sum;
-  for (const double x : values) sum.add(x);
-  return sum.value() / static_cast<double>(values.size());
+double count_of(const ObserverContext& context) { return context.count(); }
+
+double mean(const ObserverContext& context, std::string_view name) {
+  const FieldReader field = context.field(name);
+  const auto [sum] = exec::exact_sums<1>(context.count(), [&](Index i, double(&term)[1]) { term[0] = field(i); });
+  return sum / count_of(context);
+}
+
+struct Range {
+  double lowest, highest;
+};
+
+Range range(const ObserverContext& context, std::string_view name) {
+  const FieldReader field = context.field(name);
+  const Index count = context.count();
+  double lowest = std::numeric_limits<double>::infinity();
+  double highest = -lowest;
+#pragma omp parallel for schedule(static) reduction(min : lowest) reduction(max : highest)
+  for (Index i = 0; i < count; ++i) {
+    lowest = std::min(lowest, field(i));
+    highest = std::max(highest, field(i));
+  }
+  return {lowest, highest};
 }
 
 double volume_of_box(const Scene& scene) {
@@ -34,21 +53,13 @@ double volume_of_box(const Scene& scene) {
 
 /// Smallest distance between two particles, m.
 template <int Dim>
-double smallest_distance(const Scene& scene, const std::vector<std::array<double, Dim>>& points) {
-  const double volume = volume_of_box(scene);
+double smallest_distance(const ObserverContext& context) {
   // However they are placed, two of N particles are closer than in the densest packing: 1.075 (V/N)^(1/2) in 2D,
-  // 1.123 (V/N)^(1/3) in 3D. So one of these searches finds the closest pair.
-  const double radius = 1.13 * std::pow(volume / static_cast<double>(points.size()), 1.0 / Dim);
-  const PointCells<Dim> cells(scene, points, radius);
-  double smallest = std::numeric_limits<double>::infinity();
-  const auto count = static_cast<Index>(points.size());
-#pragma omp parallel for schedule(static) reduction(min : smallest)
-  for (Index i = 0; i < count; ++i) {
-    cells.within(points[static_cast<std::size_t>(i)], radius, [&](Index j, const auto&, double square) {
-      if (j != i) smallest = std::min(smallest, square);
-    });
-  }
-  return std::isfinite(smallest) ? std::sqrt(smallest) : none;
+  // 1.123 (V/N)^(1/3) in 3D. So cells of this width find the closest pair.
+  const double width = 1.13 * std::pow(volume_of_box(context.scene()) / count_of(context), 1.0 / Dim);
+  const PointCells<Dim> cells(context.scene(), stored_positions<Dim>(context), width);
+  const double square = cells.closest_square();
+  return std::isfinite(square) ? std::sqrt(square) : none;
 }
 
 class FlowStatistics final : public Observer {
@@ -76,11 +87,10 @@ class FlowStatistics final : public Observer {
   }
 
   void sample(const ObserverContext& context, Sample& sample) override {
-    const ById particles(context);
-    motion(context, particles, sample);
-    sample.set("compression_energy", compression_energy(context, particles));
-    gradient(context, particles, sample);
-    filling(context, particles, sample);
+    motion(context, sample);
+    sample.set("compression_energy", compression_energy(context));
+    gradient(context, sample);
+    filling(context, sample);
   }
 
  private:
@@ -91,12 +101,12 @@ class FlowStatistics final : public Observer {
   }
 
   /// Mass of a particle, kg (2D: kg/m); from the constant `density` where there is no such field. NaN if unknown.
-  static double mass(const ObserverContext& context, const ById& particles) {
-    const double density = context.has("density") ? mean(particles.values("density")) : context.constant("density");
-    return physical_share(context) * density * volume_of_box(context.scene()) / static_cast<double>(particles.count());
+  static double mass(const ObserverContext& context) {
+    const double density = context.has("density") ? mean(context, "density") : context.constant("density");
+    return physical_share(context) * density * volume_of_box(context.scene()) / count_of(context);
   }
 
-  static void motion(const ObserverContext& context, const ById& particles, Sample& sample) {
+  static void motion(const ObserverContext& context, Sample& sample) {
     const int dimension = context.scene().dimension;
     std::vector<double> momentum(static_cast<std::size_t>(dimension), none);
     if (!context.has("velocity")) {
@@ -105,70 +115,64 @@ class FlowStatistics final : public Observer {
       sample.set("total_momentum", momentum);
       return;
     }
-    const double m = mass(context, particles);
-    exec::CompensatedSum squares;
+    const double m = mass(context);
+    const FieldReader u = context.field("velocity");
+    double squares = 0.0;
     for (int d = 0; d < dimension; ++d) {
-      exec::CompensatedSum sum;
-      for (const double u : particles.values("velocity", d)) {
-        sum.add(u);
-        squares.add(u * u);
-      }
-      momentum[static_cast<std::size_t>(d)] = m * sum.value();
+      const auto [sum, square] = exec::exact_sums<2>(context.count(), [&](Index i, double(&terms)[2]) {
+        terms[0] = u(d, i);
+        terms[1] = terms[0] * terms[0];
+      });
+      squares += square;
+      momentum[static_cast<std::size_t>(d)] = m * sum;
     }
-    sample.set("v_rms", std::sqrt(squares.value() / static_cast<double>(particles.count())));
-    sample.set("kinetic_energy", 0.5 * m * squares.value());
+    sample.set("v_rms", std::sqrt(squares / count_of(context)));
+    sample.set("kinetic_energy", 0.5 * m * squares);
     sample.set("total_momentum", momentum);
   }
 
   /// Per volume at rest, which is the same for all particles.
-  static double compression_energy(const ObserverContext& context, const ById& particles) {
-    return context.has("internal_energy") ? mean(particles.values("internal_energy")) * volume_of_box(context.scene())
-                                          : none;
+  static double compression_energy(const ObserverContext& context) {
+    return context.has("internal_energy") ? mean(context, "internal_energy") * volume_of_box(context.scene()) : none;
   }
 
-  static void gradient(const ObserverContext& context, const ById& particles, Sample& sample) {
+  static void gradient(const ObserverContext& context, Sample& sample) {
     if (!context.has("velocity_gradient")) {
       sample.set("vorticity_rms", none);
       sample.set("divergence_rms", none);
       return;
     }
-    const auto dimension = static_cast<std::size_t>(context.scene().dimension);
-    std::vector<std::vector<double>> slope(dimension * dimension);  // du_c/dx_d as c * dimension + d
-    for (std::size_t c = 0; c < slope.size(); ++c)
-      slope[c] = particles.values("velocity_gradient", static_cast<int>(c));
-    const auto at = [&](std::size_t c, std::size_t d, std::size_t i) { return slope[c * dimension + d][i]; };
-    exec::CompensatedSum vorticity;
-    exec::CompensatedSum divergence;
-    for (std::size_t i = 0; i < particles.count(); ++i) {
+    const FieldReader slope = context.field("velocity_gradient");  // du_c/dx_d as c * dimension + d
+    const int dimension = context.scene().dimension;
+    const auto [vorticity, divergence] = exec::exact_sums<2>(context.count(), [&](Index i, double(&squares)[2]) {
+      squares[0] = 0.0;
       double trace = 0.0;
-      for (std::size_t c = 0; c < dimension; ++c) {
-        trace += at(c, c, i);
-        for (std::size_t d = 0; d < c; ++d) vorticity.add(std::pow(at(c, d, i) - at(d, c, i), 2));
+      for (int c = 0; c < dimension; ++c) {
+        trace += slope(c * dimension + c, i);
+        for (int d = 0; d < c; ++d)
+          squares[0] += std::pow(slope(c * dimension + d, i) - slope(d * dimension + c, i), 2);
       }
-      divergence.add(trace * trace);
-    }
-    const auto count = static_cast<double>(particles.count());
-    sample.set("vorticity_rms", std::sqrt(vorticity.value() / count));
-    sample.set("divergence_rms", std::sqrt(divergence.value() / count));
+      squares[1] = trace * trace;
+    });
+    sample.set("vorticity_rms", std::sqrt(vorticity / count_of(context)));
+    sample.set("divergence_rms", std::sqrt(divergence / count_of(context)));
   }
 
-  static void filling(const ObserverContext& context, const ById& particles, Sample& sample) {
+  static void filling(const ObserverContext& context, Sample& sample) {
     const Scene& scene = context.scene();
     sample.set("density_min", none);
     sample.set("density_max", none);
     if (context.has("density")) {
-      const auto density = particles.values("density");
-      const auto [low, high] = std::minmax_element(density.begin(), density.end());
-      sample.set("density_min", *low * physical_share(context));
-      sample.set("density_max", *high * physical_share(context));
+      const Range density = range(context, "density");
+      sample.set("density_min", density.lowest * physical_share(context));
+      sample.set("density_max", density.highest * physical_share(context));
     }
-    const auto volume = particles.values("volume");
-    const double mean_volume = volume_of_box(scene) / static_cast<double>(particles.count());
-    const auto [low, high] = std::minmax_element(volume.begin(), volume.end());
-    sample.set("volume_min", *low / mean_volume);
-    sample.set("volume_max", *high / mean_volume);
-    const double distance = dispatch<AllDimensions>(
-        scene.dimension, [&]<int Dim>() { return smallest_distance<Dim>(scene, particles.positions<Dim>()); });
+    const double mean_volume = volume_of_box(scene) / count_of(context);
+    const Range volume = range(context, "volume");
+    sample.set("volume_min", volume.lowest / mean_volume);
+    sample.set("volume_max", volume.highest / mean_volume);
+    const double distance =
+        dispatch<AllDimensions>(scene.dimension, [&]<int Dim>() { return smallest_distance<Dim>(context); });
     sample.set("min_spacing", distance / scene.spacing);
   }
 };

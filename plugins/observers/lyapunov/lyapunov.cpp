@@ -30,8 +30,8 @@
 #include "mesogen/exec/compensated_sum.hpp"
 #include "mesogen/exec/dispatch.hpp"
 #include "mesogen/exec/random.hpp"
-#include "mesogen/plugin/by_id.hpp"
 #include "mesogen/plugin/observer.hpp"
+#include "mesogen/plugin/places.hpp"
 #include "mesogen/plugin/plugin.hpp"
 
 namespace mesogen {
@@ -215,15 +215,14 @@ class Lyapunov final : public Observer {
   }
 
   /// Row-major: a row a chosen particle, du_c/dx_d in column c * dimension + d.
-  [[nodiscard]] std::vector<double> gradient_now(const ObserverContext& context) const {
+  [[nodiscard]] std::vector<double> gradient_now(const ObserverContext& context) {
     const auto dimension = static_cast<std::size_t>(context.scene().dimension);
     const std::size_t components = dimension * dimension;
-    const ById particles(context);
+    const auto& place = places_.find(id_, context.id());
     std::vector<double> gradient(id_.size() * components);
     for (std::size_t c = 0; c < components; ++c) {
-      const auto values = particles.values("velocity_gradient", static_cast<int>(c));
-      for (std::size_t i = 0; i < id_.size(); ++i)
-        gradient[i * components + c] = values[static_cast<std::size_t>(id_[i])];
+      const auto values = context.values("velocity_gradient", static_cast<int>(c));
+      for (std::size_t i = 0; i < id_.size(); ++i) gradient[i * components + c] = values[place[i]];
     }
     return gradient;
   }
@@ -233,6 +232,7 @@ class Lyapunov final : public Observer {
   std::int64_t seed_ = 1;
 
   std::vector<std::int64_t> id_;
+  Places places_;
   std::vector<double> direction_;  // of the vectors, of length 1; row-major
   std::vector<double> gradient_;   // at the sample before, as of gradient_now
   std::vector<double> growth_;     // sum of logarithms, by particle

@@ -6,7 +6,6 @@
 #include <limits>
 
 #include "mesogen/exec/compensated_sum.hpp"
-#include "mesogen/mesh/particle_mesh.hpp"
 
 namespace mesogen {
 
@@ -39,79 +38,74 @@ double length_in_square(const std::array<double, 4>& value, const std::array<dou
   return middle == (value[0] >= level) ? piece(0, 1) + piece(2, 3) : piece(3, 0) + piece(1, 2);
 }
 
-/// The colour on a regular grid, NaN at nodes without particles about.
-class ColourGrid {
- public:
-  ColourGrid(const Scene& scene, const std::vector<std::array<double, 2>>& points, const std::vector<double>& colour,
-             double mesh_spacing) {
-    constexpr int reach = mesh::CubicSpline::points;
-    for (std::size_t d = 0; d < 2; ++d) {
-      squares_[d] = std::max(reach, static_cast<int>(std::lround(scene.box[d] / (mesh_spacing * scene.spacing))));
-      width_[d] = scene.box[d] / squares_[d];
-      // The mesh is periodic. Between walls it goes on beyond the box, as far as particles at one wall reach, and so
-      // they do not touch the nodes at the other.
-      grid_.points[d] = squares_[d] + (scene.periodic[d] ? 0 : reach);
-      grid_.length[d] = grid_.points[d] * width_[d];
-    }
-    spread(points, colour);
-  }
+constexpr int reach = mesh::CubicSpline::points;
 
-  /// Length of the line, m.
-  [[nodiscard]] double length() const {
-    exec::CompensatedSum sum;
-    for (int j = 0; j < squares_[1]; ++j) {
-      for (int i = 0; i < squares_[0]; ++i) {
-        std::array<double, 4> value{};
-        bool known = true;
-        for (std::size_t k = 0; k < 4; ++k) {
-          value[k] = at(i + corners[k][0], j + corners[k][1]);
-          known = known && !std::isnan(value[k]);
-        }
-        if (known) sum.add(length_in_square(value, width_));
-      }
-    }
-    return sum.value();
-  }
+int squares_along(const Scene& scene, std::size_t d, double mesh_spacing) {
+  return std::max(reach, static_cast<int>(std::lround(scene.box[d] / (mesh_spacing * scene.spacing))));
+}
 
- private:
-  void spread(const std::vector<std::array<double, 2>>& points, const std::vector<double>& colour) {
-    std::array<std::vector<double>, 2> position;
-    for (const auto& point : points)
-      for (std::size_t d = 0; d < 2; ++d) position[d].push_back(point[d]);
-    mesh::ParticleMesh<2> mesh(grid_);
-    mesh.locate({position[0].data(), position[1].data()}, static_cast<Index>(points.size()));
-    mesh::FieldsOnGrid<double> sums(grid_, 2);  // of weights, and of weights times colour
-    mesh.spread<2>(
-        [&](Index i, double* numbers) {
-          numbers[0] = 1.0;
-          numbers[1] = colour[static_cast<std::size_t>(i)];
-        },
-        sums);
-    for (int j = 0; j < grid_.points[1]; ++j) {
-      for (int i = 0; i < grid_.points[0]; ++i) {
-        const double weight = sums.row(0, j)[i];
-        value_.push_back(weight > 0.0 ? sums.row(1, j)[i] / weight : std::numeric_limits<double>::quiet_NaN());
-      }
-    }
+// The mesh is periodic. Between walls it goes on beyond the box, as far as particles at one wall reach, and so they do
+// not touch the nodes at the other.
+mesh::Grid<2> grid_of(const Scene& scene, double mesh_spacing) {
+  mesh::Grid<2> grid;
+  for (std::size_t d = 0; d < 2; ++d) {
+    const int squares = squares_along(scene, d, mesh_spacing);
+    grid.points[d] = squares + (scene.periodic[d] ? 0 : reach);
+    grid.length[d] = grid.points[d] * (scene.box[d] / squares);
   }
-
-  [[nodiscard]] double at(int i, int j) const {
-    const auto row = static_cast<std::size_t>(j % grid_.points[1]);
-    const auto columns = static_cast<std::size_t>(grid_.points[0]);
-    return value_[row * columns + static_cast<std::size_t>(i) % columns];
-  }
-
-  std::array<int, 2> squares_{};   // along each axis
-  std::array<double, 2> width_{};  // of one, m
-  mesh::Grid<2> grid_;
-  std::vector<double> value_;  // at the points of the mesh, the first axis fastest
-};
+  return grid;
+}
 
 }  // namespace
 
-double contour_length(const Scene& scene, const std::vector<std::array<double, 2>>& points,
-                      const std::vector<double>& colour, double mesh_spacing) {
-  return ColourGrid(scene, points, colour, mesh_spacing).length();
+ColourLine::ColourLine(const Scene& scene, double mesh_spacing)
+    : mesh_(grid_of(scene, mesh_spacing)), means_(mesh_.grid(), 2) {
+  for (std::size_t d = 0; d < 2; ++d) {
+    squares_[d] = squares_along(scene, d, mesh_spacing);
+    width_[d] = scene.box[d] / squares_[d];
+  }
+}
+
+double ColourLine::length(const std::vector<std::vector<double>>& position, const std::vector<double>& colour) {
+  average(position, colour);
+  std::vector<double> of_row(static_cast<std::size_t>(squares_[1]));
+#pragma omp parallel for schedule(static)
+  for (int row = 0; row < squares_[1]; ++row) of_row[static_cast<std::size_t>(row)] = length_in_row(row);
+  exec::CompensatedSum sum;
+  for (const double length : of_row) sum.add(length);
+  return sum.value();
+}
+
+void ColourLine::average(const std::vector<std::vector<double>>& position, const std::vector<double>& colour) {
+  mesh_.locate({position[0].data(), position[1].data()}, static_cast<Index>(colour.size()));
+  mesh_.spread<2>(
+      [&](Index i, double* numbers) {
+        numbers[0] = 1.0;
+        numbers[1] = colour[static_cast<std::size_t>(i)];
+      },
+      means_, [&](int row) {
+        const double* const weight = means_.row(0, row);
+        double* const value = means_.row(1, row);
+        for (int i = 0; i < mesh_.grid().points[0]; ++i)
+          value[i] = weight[i] > 0.0 ? value[i] / weight[i] : std::numeric_limits<double>::quiet_NaN();
+      });
+}
+
+double ColourLine::length_in_row(int row) const {
+  const mesh::Grid<2>& grid = mesh_.grid();
+  const auto columns = static_cast<std::size_t>(grid.points[0]);
+  const double* const lower = means_.row(1, row);
+  const double* const upper = means_.row(1, (row + 1) % grid.points[1]);
+  exec::CompensatedSum sum;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(squares_[0]); ++i) {
+    const std::size_t next = i + 1 < columns ? i + 1 : 0;
+    const std::array<double, 4> value{lower[i], lower[next], upper[next], upper[i]};
+    const auto above = std::count_if(value.begin(), value.end(), [](double x) { return x >= level; });
+    if (above == 0 || above == 4) continue;
+    if (std::none_of(value.begin(), value.end(), [](double x) { return std::isnan(x); }))
+      sum.add(length_in_square(value, width_));
+  }
+  return sum.value();
 }
 
 }  // namespace mesogen

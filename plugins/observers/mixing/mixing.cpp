@@ -24,9 +24,8 @@
 
 #include "contour.hpp"
 #include "mesogen/diagnostics/error.hpp"
+#include "mesogen/exec/blocks.hpp"
 #include "mesogen/exec/compensated_sum.hpp"
-#include "mesogen/exec/dispatch.hpp"
-#include "mesogen/plugin/by_id.hpp"
 #include "mesogen/plugin/observer.hpp"
 #include "mesogen/plugin/plugin.hpp"
 
@@ -74,23 +73,24 @@ class Mixing final : public Observer {
 
   void start(const ObserverContext& context) override {
     const Scene& scene = context.scene();
-    const ById particles(context);
-    const auto points = particles.positions<2>();  // a third coordinate does not matter
+    const auto position = positions(context);
     if (!context.has("colour")) {
-      for (const auto& point : points)
-        colour_.push_back(point[0] < 0.5 * scene.box[0] && point[1] < 0.5 * scene.box[1] ? 1.0 : 0.0);
+      const auto id = context.id();
+      colour_.resize(id.size());  // a third coordinate does not matter
+      for (std::size_t i = 0; i < id.size(); ++i)
+        colour_[static_cast<std::size_t>(id[i])] =
+            position[0][i] < 0.5 * scene.box[0] && position[1][i] < 0.5 * scene.box[1] ? 1.0 : 0.0;
     }
-    if (scene.dimension == 2)
-      initial_length_ = contour_length(scene, points, colour_now(context, particles), mesh_spacing_);
+    if (scene.dimension == 2) initial_length_ = line(scene).length(position, colour_now(context));
   }
 
   void sample(const ObserverContext& context, Sample& sample) override {
-    const ById particles(context);
     const Scene& scene = context.scene();
-    const auto colour = colour_now(context, particles);
-    sample.set("mixing_index", index(colour, cells_of(scene, particles)));
+    const auto position = positions(context);
+    const auto colour = colour_now(context);
+    sample.set("mixing_index", index(colour, cells_of(scene, position)));
     if (scene.dimension != 2) return;
-    const double length = contour_length(scene, particles.positions<2>(), colour, mesh_spacing_);
+    const double length = line(scene).length(position, colour);
     sample.set("interface_length", length);
     sample.set("stretching", length / initial_length_);
   }
@@ -105,42 +105,57 @@ class Mixing final : public Observer {
   }
 
  private:
-  [[nodiscard]] std::vector<double> colour_now(const ObserverContext& context, const ById& particles) const {
-    return context.has("colour") ? particles.values("colour") : colour_;
+  using Values = std::vector<double>;  // in the order of storage
+
+  /// Coordinates in the box, m, by axis.
+  static std::vector<Values> positions(const ObserverContext& context) {
+    std::vector<Values> position;
+    for (int d = 0; d < context.scene().dimension; ++d) position.push_back(context.position(d));
+    return position;
+  }
+
+  [[nodiscard]] Values colour_now(const ObserverContext& context) const {
+    if (context.has("colour")) return context.values("colour");
+    const auto id = context.id();
+    Values colour(id.size());
+#pragma omp parallel for schedule(static)
+    for (std::size_t i = 0; i < id.size(); ++i) colour[i] = colour_[static_cast<std::size_t>(id[i])];
+    return colour;
+  }
+
+  ColourLine& line(const Scene& scene) {
+    if (!line_) line_.emplace(scene, mesh_spacing_);
+    return *line_;
   }
 
   /// Number of the cell that holds each particle.
-  [[nodiscard]] std::vector<std::size_t> cells_of(const Scene& scene, const ById& particles) const {
-    return dispatch<AllDimensions>(scene.dimension,
-                                   [&]<int Dim>() { return cells_of<Dim>(scene, particles.positions<Dim>()); });
-  }
-
-  template <int Dim>
-  [[nodiscard]] std::vector<std::size_t> cells_of(const Scene& scene,
-                                                  const std::vector<std::array<double, Dim>>& points) const {
-    std::vector<std::size_t> cell;
-    cell.reserve(points.size());
-    for (const auto& point : points) {
+  [[nodiscard]] std::vector<int> cells_of(const Scene& scene, const std::vector<Values>& position) const {
+    const auto count = static_cast<Index>(position[0].size());
+    std::vector<int> cell(position[0].size());
+#pragma omp parallel for schedule(static) if (count >= exec::parallel_from)
+    for (Index i = 0; i < count; ++i) {
       int number = 0;
-      for (std::size_t d = Dim; d-- > 0;) {
-        const int at = static_cast<int>(point[d] / scene.box[d] * cells_along_[d]);
+      for (std::size_t d = position.size(); d-- > 0;) {
+        const int at = static_cast<int>(position[d][static_cast<std::size_t>(i)] / scene.box[d] * cells_along_[d]);
         number = number * cells_along_[d] + std::clamp(at, 0, cells_along_[d] - 1);
       }
-      cell.push_back(static_cast<std::size_t>(number));
+      cell[static_cast<std::size_t>(i)] = number;
     }
     return cell;
   }
 
-  static double index(const std::vector<double>& colour, const std::vector<std::size_t>& cell) {
+  [[nodiscard]] double index(const Values& colour, const std::vector<int>& cell) const {
     const auto total = static_cast<double>(colour.size());
-    std::vector<double> held(1 + *std::max_element(cell.begin(), cell.end()), 0.0);
-    std::vector<double> count(held.size(), 0.0);
-    exec::CompensatedSum sum;
+    std::size_t cells = 1;
+    for (const int along : cells_along_) cells *= static_cast<std::size_t>(along);
+    std::vector<double> held(cells, 0.0);
+    std::vector<double> count(cells, 0.0);
     for (std::size_t i = 0; i < colour.size(); ++i) {
-      held[cell[i]] += colour[i];
-      count[cell[i]] += 1.0;
-      sum.add(colour[i]);
+      held[static_cast<std::size_t>(cell[i])] += colour[i];
+      count[static_cast<std::size_t>(cell[i])] += 1.0;
     }
+    exec::CompensatedSum sum;
+    for (const double of_cell : held) sum.add(of_cell);
     const double mean = sum.value() / total;
     double used = 0.0;
     exec::CompensatedSum squares;
@@ -157,9 +172,10 @@ class Mixing final : public Observer {
 
   std::optional<double> cells_;
   double mesh_spacing_ = 1.5;
-  std::array<int, 3> cells_along_{2, 2, 2};
+  std::array<int, 3> cells_along_{1, 1, 1};
   std::vector<double> colour_;   // by id; empty where the scene has such a field
   double initial_length_ = 0.0;  // m
+  std::optional<ColourLine> line_;
 };
 
 }  // namespace

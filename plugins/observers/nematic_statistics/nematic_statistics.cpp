@@ -17,10 +17,10 @@
 /// missing, the free energy is NaN.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
-#include "mesogen/exec/compensated_sum.hpp"
-#include "mesogen/plugin/by_id.hpp"
+#include "mesogen/exec/exact_sum.hpp"
 #include "mesogen/plugin/observer.hpp"
 #include "mesogen/plugin/plugin.hpp"
 
@@ -32,8 +32,8 @@ class NematicStatistics final : public Observer {
   static constexpr DimensionSet dimensions{2};
 
   void plan(const Scene& /*scene*/, ObserverPlan& plan) override {
-    for (const auto* field : {"order_tensor", "order_tensor_gradient", "volume"}) plan.reads(field);
-    plan.reads_if_present("elastic_energy");
+    for (const auto* field : {"order_tensor", "volume"}) plan.reads(field);
+    plan.reads_if_present("elastic_energy", gradient);
     plan.scalar("mean_order").doc("mean over particles of the order q = sqrt(Q11^2 + Q12^2)");
     plan.scalar("minimum_order").doc("smallest order q of a particle");
     plan.scalar("mean_director_angle").unit("rad").doc("director of the mean order tensor, in (-pi/2, pi/2]");
@@ -46,70 +46,76 @@ class NematicStatistics final : public Observer {
   }
 
   void sample(const ObserverContext& context, Sample& sample) override {
-    const ById particles(context);
-    const auto q11 = particles.values("order_tensor", 0);
-    const auto q12 = particles.values("order_tensor", 1);
-    exec::CompensatedSum order;
-    exec::CompensatedSum sum11;
-    exec::CompensatedSum sum12;
-    double smallest = q11.empty() ? 0.0 : std::hypot(q11[0], q12[0]);
-    for (std::size_t i = 0; i < particles.count(); ++i) {
-      const double q = std::hypot(q11[i], q12[i]);
-      order.add(q);
-      smallest = std::min(smallest, q);
-      sum11.add(q11[i]);
-      sum12.add(q12[i]);
-    }
-    double angle = 0.5 * std::atan2(sum12.value(), sum11.value());
+    const FieldReader q = context.field("order_tensor");
+    const Index count = context.count();
+    const auto [order, sum11, sum12] = exec::exact_sums<3>(count, [&](Index i, double(&terms)[3]) {
+      terms[0] = std::sqrt(square(q, i));
+      terms[1] = q(0, i);
+      terms[2] = q(1, i);
+    });
+    double angle = 0.5 * std::atan2(sum12, sum11);
     if (angle <= -0.5 * std::numbers::pi) angle = 0.5 * std::numbers::pi;  // rounded: atan2(-1e-30, -1)
-    sample.set("mean_order", order.value() / static_cast<double>(particles.count()));
-    sample.set("minimum_order", smallest);
+    sample.set("mean_order", order / count);
+    sample.set("minimum_order", smallest_order(q, count));
     sample.set("mean_director_angle", angle);
-    sample.set("tilt_rms", tilt(q11, q12, angle));
-    sample.set("free_energy", free_energy(context, particles, q11, q12));
+    sample.set("tilt_rms", tilt(q, count, angle));
+    sample.set("free_energy", free_energy(context, q));
   }
 
  private:
-  /// rad; a director has no head: no tilt is above pi/2. Taken from Q turned back by the mean angle, so that a small
-  /// tilt keeps its digits.
-  static double tilt(const std::vector<double>& q11, const std::vector<double>& q12, double mean_angle) {
-    const double cosine = std::cos(2.0 * mean_angle);
-    const double sine = std::sin(2.0 * mean_angle);
-    exec::CompensatedSum squares;
-    for (std::size_t i = 0; i < q11.size(); ++i)
-      squares.add(std::pow(0.5 * std::atan2(q12[i] * cosine - q11[i] * sine, q11[i] * cosine + q12[i] * sine), 2));
-    return std::sqrt(squares.value() / static_cast<double>(q11.size()));
+  /// Q11^2 + Q12^2.
+  static double square(const FieldReader& q, Index i) { return q(0, i) * q(0, i) + q(1, i) * q(1, i); }
+
+  static double smallest_order(const FieldReader& q, Index count) {
+    double smallest = std::numeric_limits<double>::infinity();
+#pragma omp parallel for schedule(static) reduction(min : smallest)
+    for (Index i = 0; i < count; ++i) smallest = std::min(smallest, square(q, i));
+    return std::sqrt(smallest);
   }
 
-  static double free_energy(const ObserverContext& context, const ById& particles, const std::vector<double>& q11,
-                            const std::vector<double>& q12) {
-    const double bulk_a = context.constant("bulk_A");
-    const double bulk_c = context.constant("bulk_C");
-    const double elastic_constant = context.constant("elastic_constant");
-    const auto volume = particles.values("volume");
-    const auto elastic = elastic_energy(context, particles, elastic_constant);
-    exec::CompensatedSum energy;
-    exec::CompensatedSum filled;
-    for (std::size_t i = 0; i < particles.count(); ++i) {
-      const double trace = 2.0 * (q11[i] * q11[i] + q12[i] * q12[i]);
-      energy.add(volume[i] * (0.5 * bulk_a * trace + 0.25 * bulk_c * trace * trace + elastic[i]));
-      filled.add(volume[i]);
-    }
+  /// rad; a director has no head: no tilt is above pi/2. Taken from Q turned back by the mean angle, so that a small
+  /// tilt keeps its digits.
+  static double tilt(const FieldReader& q, Index count, double mean_angle) {
+    const double cosine = std::cos(2.0 * mean_angle);
+    const double sine = std::sin(2.0 * mean_angle);
+    const auto [squares] = exec::exact_sums<1>(count, [&](Index i, double(&term)[1]) {
+      const double tilt = 0.5 * std::atan2(q(1, i) * cosine - q(0, i) * sine, q(0, i) * cosine + q(1, i) * sine);
+      term[0] = tilt * tilt;
+    });
+    return std::sqrt(squares / count);
+  }
+
+  static double free_energy(const ObserverContext& context, const FieldReader& q) {
+    const double a = context.constant("bulk_A");
+    const double c = context.constant("bulk_C");
+    const double k = context.constant("elastic_constant");
+    if (std::isnan(k)) return k;
+    const FieldReader volume = context.field("volume");
+    const auto sum = [&](const auto& elastic) {
+      return exec::exact_sums<2>(context.count(), [&](Index i, double(&terms)[2]) {
+        const double trace = 2.0 * square(q, i);
+        terms[0] = volume(i) * (0.5 * a * trace + 0.25 * c * trace * trace + elastic(i));
+        terms[1] = volume(i);
+      });
+    };
+    const auto [energy, filled] = context.has("elastic_energy") ? sum(context.field("elastic_energy"))
+                                                                : sum(ElasticEnergy{context.field(gradient), k});
     const auto& box = context.scene().box;
-    return energy.value() * (box[0] * box[1] / filled.value());
+    return energy * (box[0] * box[1] / filled);
   }
 
   /// K/2 |grad Q|^2, J/m3.
-  static std::vector<double> elastic_energy(const ObserverContext& context, const ById& particles,
-                                            double elastic_constant) {
-    if (context.has("elastic_energy") && !std::isnan(elastic_constant)) return particles.values("elastic_energy");
-    std::vector<double> energy(particles.count(), 0.0);
-    for (int c = 0; c < 4; ++c) {
-      const auto slope = particles.values("order_tensor_gradient", c);
-      for (std::size_t i = 0; i < energy.size(); ++i) energy[i] += elastic_constant * slope[i] * slope[i];
+  struct ElasticEnergy {
+    FieldReader slope;
+    double elastic_constant;
+    double operator()(Index i) const {
+      double sum = 0.0;
+      for (int c = 0; c < 4; ++c) sum += slope(c, i) * slope(c, i);
+      return elastic_constant * sum;
     }
-    return energy;
-  }
+  };
+
+  static constexpr const char* gradient = "order_tensor_gradient";
 };
 
 }  // namespace

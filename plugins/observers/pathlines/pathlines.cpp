@@ -12,6 +12,7 @@
 #include "mesogen/neighbours/point_cells.hpp"
 #include "mesogen/plugin/by_id.hpp"
 #include "mesogen/plugin/observer.hpp"
+#include "mesogen/plugin/places.hpp"
 #include "mesogen/plugin/plugin.hpp"
 
 namespace mesogen {
@@ -128,7 +129,6 @@ class Pathlines final : public Observer {
     id_.assign(saved.at("id").begin(), saved.at("id").end());
     path_ = saved.at("path");
     distance_ = saved.at("distance");
-    place_.clear();
   }
 
  private:
@@ -155,24 +155,13 @@ class Pathlines final : public Observer {
 
   /// Row-major: a row a chosen particle, a column an axis.
   std::vector<double> current_path(const ObserverContext& context) {
-    find(context.id());
+    const auto& place = places_.find(id_, context.id());
     const auto dimension = static_cast<std::size_t>(context.scene().dimension);
     std::vector<double> path(id_.size() * dimension);
     for (std::size_t i = 0; i < id_.size(); ++i)
       for (std::size_t d = 0; d < dimension; ++d)
-        path[i * dimension + d] = context.unwrapped_at(static_cast<int>(d), place_[i]);
+        path[i * dimension + d] = context.unwrapped_at(static_cast<int>(d), place[i]);
     return path;
-  }
-
-  /// Brings `place_` up to date. Particles are rarely stored anew, so mostly each is where it was.
-  void find(std::span<const std::int64_t> stored) {
-    bool same = place_.size() == id_.size();
-    for (std::size_t i = 0; same && i < id_.size(); ++i) same = stored[place_[i]] == id_[i];
-    if (same) return;
-    std::vector<std::size_t> place(stored.size());
-    for (std::size_t n = 0; n < stored.size(); ++n) place.at(static_cast<std::size_t>(stored[n])) = n;
-    place_.clear();
-    for (const auto id : id_) place_.push_back(place.at(static_cast<std::size_t>(id)));
   }
 
   std::vector<double> particles_;
@@ -181,9 +170,9 @@ class Pathlines final : public Observer {
   std::int64_t seed_ = 1;
 
   std::vector<std::int64_t> id_;
-  std::vector<double> path_;        // at the last step, row-major
-  std::vector<double> distance_;    // so far
-  std::vector<std::size_t> place_;  // in storage, of each chosen particle
+  std::vector<double> path_;      // at the last step, row-major
+  std::vector<double> distance_;  // so far
+  Places places_;
 };
 
 }  // namespace

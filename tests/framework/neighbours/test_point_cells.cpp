@@ -1,6 +1,9 @@
 #include <gtest/gtest.h>
+#include <omp.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <random>
 
 #include "mesogen/neighbours/point_cells.hpp"
@@ -106,6 +109,84 @@ TEST(PointCells, FindsNoImagesBehindWalls) {
   std::vector<Index> found;
   cells.within({0.5, 0.02}, 0.1, [&](Index i, const auto&, double) { found.push_back(i); });
   EXPECT_EQ(found, std::vector<Index>{0});
+}
+
+/// The square of the smallest distance, by trying all pairs.
+template <int Dim>
+double closest_by_hand(const Scene& scene, const std::vector<std::array<double, Dim>>& points) {
+  double closest = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      double square = 0.0;
+      for (std::size_t d = 0; d < Dim; ++d) {
+        const double along = points[i][d] - points[j][d];
+        square += std::pow(scene.periodic[d] ? std::remainder(along, scene.box[d]) : along, 2);
+      }
+      closest = std::min(closest, square);
+    }
+  }
+  return closest;
+}
+
+template <int Dim>
+void expect_closest(const Scene& scene, std::size_t count, double width) {
+  const auto points = random_points<Dim>(scene.box, count);
+  const double wanted = closest_by_hand<Dim>(scene, points);
+  ASSERT_LT(wanted, width * width);
+  EXPECT_NEAR(PointCells<Dim>(scene, points, width).closest_square(), wanted, 1e-14);
+}
+
+TEST(PointCells, FindsTheClosestPair) {
+  const std::array<double, 3> box{1.0, 0.7, 1.3};
+  for (const std::array<bool, 3>& periodic : {std::array{true, true, true}, std::array{false, false, false},
+                                              std::array{true, false, true}, std::array{false, true, false}}) {
+    const Scene scene = scene_of(box, periodic);
+    for (const std::size_t count : {2, 3, 5, 20, 300}) {
+      expect_closest<2>(scene, count, std::sqrt(1.0 / static_cast<double>(count)));
+      expect_closest<3>(scene, count, std::cbrt(1.5 / static_cast<double>(count)));
+    }
+  }
+}
+
+// Each pair of neighbouring cells holds the closest pair once, those at the faces too.
+TEST(PointCells, FindsTheClosestPairInAnyCells) {
+  for (const bool periodic : {true, false}) {
+    const Scene scene = scene_of({1.0, 1.0, 1.0}, {periodic, periodic, periodic});
+    for (double x = 0.05; x < 1.0; x += 0.1) {
+      for (double y = 0.05; y < 1.0; y += 0.1) {
+        for (double angle = 0.1; angle < 6.28; angle += 0.7) {
+          const std::array other{x + 0.09 * std::cos(angle), y + 0.09 * std::sin(angle)};
+          const PointCells<2> cells(scene, {{x, y}, other}, 0.1);
+          EXPECT_NEAR(cells.closest_square(), 0.0081, 1e-14) << x << ' ' << y << ' ' << angle;
+        }
+      }
+    }
+  }
+}
+
+// Of one point alone its own images are not another.
+TEST(PointCells, NeedsTwoPointsForAPair) {
+  EXPECT_TRUE(std::isinf(PointCells<2>(scene_of({1.0, 2.0, 0.0}), {{0.5, 0.5}}, 0.1).closest_square()));
+  EXPECT_TRUE(std::isinf(PointCells<2>(scene_of({1.0, 2.0, 0.0}), {{0.5, 0.5}}, 5.0).closest_square()));
+  EXPECT_TRUE(std::isinf(PointCells<2>(scene_of({1.0, 2.0, 0.0}), {}, 5.0).closest_square()));
+}
+
+// What is visited, and in which order, is the same with any number of threads.
+TEST(PointCells, AreTheSameWithAnyNumberOfThreads) {
+  const Scene scene = scene_of({1.0, 0.7, 0.0});
+  const auto points = random_points<2>(scene.box, 5000);
+  const int before = omp_get_max_threads();
+  std::vector<std::vector<Index>> visited;
+  for (const int threads : {1, 2, 3}) {
+    omp_set_num_threads(threads);
+    const PointCells<2> cells(scene, points, 0.05);
+    cells.within({0.1, 0.2}, 0.4,
+                 [&, &order = visited.emplace_back()](Index i, const auto&, double) { order.push_back(i); });
+  }
+  omp_set_num_threads(before);
+  EXPECT_GT(visited[0].size(), 100u);
+  EXPECT_EQ(visited[1], visited[0]);
+  EXPECT_EQ(visited[2], visited[0]);
 }
 
 TEST(PointCells, WithoutPointsFindsNothing) {

@@ -124,20 +124,35 @@ Counters observed(CaseRun& run, int count) {
   return after;
 }
 
-// The elastic energy reads the gradient of Q, which nothing else needs where there is neither activity nor a shift.
+// The elastic energy is for readers alone; the gradient of Q is read only where nobody makes that energy.
 TEST(Pruning, WhatOnlyAnObserverNeedsRunsOnlyForItsSamples) {
   CaseRun run(nematic_scene()
                   .flow(0.1, "shift = 0.0")
                   .section("observers.nematic", "type = \"nematic_statistics\"\nevery = 10"));
   const Counters found = observed(run, 35);
-  EXPECT_EQ(found.at("framework: order_tensor_gradient"), 3);
+  EXPECT_EQ(found.at("physics.nematic: elastic energy, for readers"), 3);
+  EXPECT_FALSE(mentions(found, "order_tensor_gradient"));
   EXPECT_GE(found.at("framework: correction, order_tensor_laplacian, velocity_gradient, velocity_laplacian"), 35);
+}
+
+TEST(Pruning, WhatSeveralObserversReadIsMadeOnceASample) {
+  CaseText scene =
+      nematic_scene().section("physics.flow", "type = \"incompressible\"\ndensity = 1.0\nviscosity = 0.05");
+  for (const std::string name : {"a", "b"})
+    for (const std::string type : {"nematic_statistics", "flow_statistics", "lyapunov"})
+      scene.section("observers." + type + "_" + name, "type = \"" + type + "\"\nevery = 10");
+  CaseRun run(scene);
+  const Counters found = observed(run, 35);
+  EXPECT_EQ(found.at("physics.nematic: elastic energy, for readers"), 3);
+  EXPECT_EQ(found.at("physics.flow: velocity gradient, for readers"), 3);
+  EXPECT_EQ(found.at("framework: volume"), 3);
+  EXPECT_FALSE(mentions(found, "derivatives of the order tensor, for readers"));
 }
 
 TEST(Pruning, WithoutFlowSamplesComputeNothingElseAnew) {
   CaseRun run(nematic_scene().section("observers.nematic", "type = \"nematic_statistics\"\nevery = 10"));
   const Counters found = observed(run, 35);
-  EXPECT_EQ(found.at("framework: order_tensor_gradient"), 3);
+  EXPECT_EQ(found.at("physics.nematic: elastic energy, for readers"), 3);
   EXPECT_EQ(found.at("framework: order_tensor_laplacian"), 35);  // once a step
   EXPECT_EQ(found.at("framework: volume"), 0);
   EXPECT_EQ(found.at("framework: weights of pairs"), 0);

@@ -6,6 +6,9 @@
 
 namespace mesogen::exec {
 
+/// Loops over fewer particles, with a few operations for each, run on one thread: with several, waiting takes longer.
+inline constexpr Index parallel_from = 4096;
+
 /// Cuts [0, count) into blocks, which threads share out. Loops that calculate go block by block: a compiler may round
 /// differently in its vector loop and in the remainder loop behind it (where it contracts to fused multiply-adds).
 /// Blocks make the choice between the two independent of the number of threads.

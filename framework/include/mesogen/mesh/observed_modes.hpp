@@ -6,8 +6,9 @@
 #include <vector>
 
 #include "mesogen/diagnostics/error.hpp"
+#include "mesogen/exec/exact_sum.hpp"
 #include "mesogen/mesh/particle_spectrum.hpp"
-#include "mesogen/plugin/by_id.hpp"
+#include "mesogen/plugin/observer.hpp"
 
 namespace mesogen::mesh {
 
@@ -30,27 +31,25 @@ class ObservedModes {
   ObservedModes(const Scene& scene, double mesh_spacing) : spectrum_(grid_of(scene, mesh_spacing)) {}
 
   /// Takes the positions of the particles. `modes` then uses these positions.
-  void locate(const ById& particles) {
-    const auto points = particles.positions<Dim>();
+  void locate(const ObserverContext& context) {
     std::array<std::vector<double>, Dim> position;
     std::array<const double*, Dim> at{};
     for (std::size_t d = 0; d < Dim; ++d) {
-      position[d].reserve(points.size());
-      for (const auto& point : points) position[d].push_back(point[d]);
+      position[d] = context.position(static_cast<int>(d));
       at[d] = position[d].data();
     }
-    spectrum_.locate(at, static_cast<Index>(points.size()));
+    spectrum_.locate(at, static_cast<Index>(context.id().size()));
   }
 
   /// Returns the modes of the first `Count` components of a field. Throws Error(run_failed) if hardly any particle is
   /// near a point of the mesh.
   template <int Count>
-  std::array<Modes, Count> modes(const ById& particles, std::string_view field) {
+  std::array<Modes, Count> modes(const ObserverContext& context, std::string_view field) {
     std::array<std::vector<double>, Count> values;
     std::array<Modes, Count> modes;
     std::array<Complex*, Count> to{};
     for (std::size_t c = 0; c < Count; ++c) {
-      values[c] = particles.values(field, static_cast<int>(c));
+      values[c] = context.values(field, static_cast<int>(c));
       modes[c].resize(spectrum_.mode_count());
       to[c] = modes[c].data();
     }
@@ -66,16 +65,20 @@ class ObservedModes {
   /// hold of it. Returns NaN if the field is uniform up to rounding. On disordered particles, means over particles and
   /// over the box differ: a share below some 0.01 may then mean none, and the result may be below 0.
   template <int Count>
-  static double share_beyond(const ById& particles, std::string_view field, double mean_square) {
+  static double share_beyond(const ObserverContext& context, std::string_view field, double mean_square) {
     constexpr double rounding = 1e-26;
     double whole = 0.0;
     double of_mean = 0.0;
     for (int c = 0; c < Count; ++c) {
-      const auto values = particles.values(field, c);
-      const auto count = static_cast<double>(values.size());
-      double mean = 0.0;
-      for (const double value : values) mean += value / count;
-      for (const double value : values) whole += (value - mean) * (value - mean) / count;
+      const auto values = context.values(field, c);
+      const auto mean_of = [&](const auto& term) {
+        const auto [sum] = exec::exact_sums<1>(static_cast<Index>(values.size()), [&](Index i, double(&at)[1]) {
+          at[0] = term(values[static_cast<std::size_t>(i)]);
+        });
+        return sum / static_cast<double>(values.size());
+      };
+      const double mean = mean_of([](double value) { return value; });
+      whole += mean_of([mean](double value) { return (value - mean) * (value - mean); });
       of_mean += mean * mean;
     }
     return whole > rounding * of_mean ? 1.0 - mean_square / whole : std::nan("");

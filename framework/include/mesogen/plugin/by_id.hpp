@@ -4,17 +4,18 @@
 #include <string_view>
 #include <vector>
 
+#include "mesogen/exec/blocks.hpp"
 #include "mesogen/plugin/observer.hpp"
 
 namespace mesogen {
 
-/// What an observer sees, ordered by particle id instead of storage. Entry i belongs to the same particle in every
-/// sample, and sums do not depend on the order in which particles are stored.
+/// What an observer sees, ordered by particle id instead of storage: entry i belongs to the same particle in every
+/// sample. Sums and searches do without it: see mesogen/exec/exact_sum.hpp and mesogen/plugin/stored_positions.hpp.
 class ById {
  public:
   explicit ById(const ObserverContext& context) : context_(context), place_(context.id().size()) {
     const auto id = context.id();
-    for (std::size_t i = 0; i < id.size(); ++i) place_.at(static_cast<std::size_t>(id[i])) = i;
+    for (std::size_t i = 0; i < id.size(); ++i) place_.at(static_cast<std::size_t>(id[i])) = static_cast<Index>(i);
   }
 
   [[nodiscard]] std::size_t count() const { return place_.size(); }
@@ -30,7 +31,7 @@ class ById {
     std::vector<std::array<double, Dim>> points(place_.size());
     for (int d = 0; d < Dim; ++d) {
       const auto stored = context_.position(d);
-      for (std::size_t i = 0; i < place_.size(); ++i) points[i][static_cast<std::size_t>(d)] = stored[place_[i]];
+      for_each_place([&](std::size_t i, std::size_t place) { points[i][static_cast<std::size_t>(d)] = stored[place]; });
     }
     return points;
   }
@@ -38,12 +39,20 @@ class ById {
  private:
   [[nodiscard]] std::vector<double> ordered(const std::vector<double>& stored) const {
     std::vector<double> values(place_.size());
-    for (std::size_t i = 0; i < place_.size(); ++i) values[i] = stored[place_[i]];
+    for_each_place([&](std::size_t i, std::size_t place) { values[i] = stored[place]; });
     return values;
   }
 
+  template <class Action>
+  void for_each_place(const Action& action) const {
+    const auto count = static_cast<Index>(place_.size());
+#pragma omp parallel for schedule(static) if (count >= exec::parallel_from)
+    for (Index i = 0; i < count; ++i)
+      action(static_cast<std::size_t>(i), static_cast<std::size_t>(place_[static_cast<std::size_t>(i)]));
+  }
+
   const ObserverContext& context_;
-  std::vector<std::size_t> place_;  // of each id, its index in storage
+  std::vector<Index> place_;  // of each id, its index in storage
 };
 
 }  // namespace mesogen

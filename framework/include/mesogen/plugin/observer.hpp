@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <deque>
+#include <functional>
 #include <map>
 #include <span>
 #include <string>
@@ -9,6 +10,7 @@
 #include <vector>
 
 #include "mesogen/fields/dimensions.hpp"
+#include "mesogen/fields/field_reader.hpp"
 #include "mesogen/fields/field_view.hpp"
 #include "mesogen/plugin/parameters.hpp"
 #include "mesogen/plugin/scene.hpp"
@@ -40,6 +42,8 @@ class MESOGEN_EXPORT ObserverPlan {
   void reads(std::string_view field);
   /// Fields it reads if the scene has them; see ObserverContext::has.
   void reads_if_present(std::string_view field);
+  /// A field it reads if the scene has it, and another that it reads only if not: so nobody makes both.
+  void reads_if_present(std::string_view field, std::string_view otherwise);
   /// One number a sample.
   Quantity& scalar(std::string_view name);
   /// A table a sample, `columns` numbers a row.
@@ -51,6 +55,10 @@ class MESOGEN_EXPORT ObserverPlan {
 
   [[nodiscard]] const std::vector<std::string>& read_list() const { return reads_; }
   [[nodiscard]] const std::vector<std::string>& optional_list() const { return optional_; }
+  /// What it reads in place of an optional field, by the name of that field.
+  [[nodiscard]] const std::map<std::string, std::string>& otherwise_list() const { return otherwise_; }
+  /// All fields it reads in a scene that has those for which has(name) is true.
+  [[nodiscard]] std::vector<std::string> fields(const std::function<bool(const std::string&)>& has) const;
   [[nodiscard]] const std::deque<Quantity>& quantities() const { return quantities_; }
   [[nodiscard]] bool follows() const { return follows_; }
   [[nodiscard]] bool traces() const { return traces_; }
@@ -58,6 +66,7 @@ class MESOGEN_EXPORT ObserverPlan {
  private:
   std::vector<std::string> reads_;
   std::vector<std::string> optional_;
+  std::map<std::string, std::string> otherwise_;
   std::deque<Quantity> quantities_;
   bool follows_ = false;
   bool traces_ = false;
@@ -84,7 +93,10 @@ class MESOGEN_EXPORT ObserverContext {
   ObserverContext& operator=(const ObserverContext&) = delete;
   virtual ~ObserverContext();
 
-  /// Component `component` of a field at all particles, converted to double. Integrated fields lose no digits.
+  /// A field at all particles, to be read without a copy: field(component, place in storage). Integrated fields lose no
+  /// digits. Take it before a loop.
+  [[nodiscard]] virtual FieldReader field(std::string_view name) const = 0;
+  /// A copy of component `component` of a field at all particles.
   [[nodiscard]] virtual std::vector<double> values(std::string_view field, int component = 0) const = 0;
   [[nodiscard]] virtual bool has(std::string_view field) const = 0;
   /// Coordinates in the box, [0, box).
@@ -94,6 +106,8 @@ class MESOGEN_EXPORT ObserverContext {
   /// The same of one particle, by its place in storage: for those who follow a few at every step.
   [[nodiscard]] virtual double unwrapped_at(int axis, std::size_t place) const = 0;
   [[nodiscard]] virtual std::span<const std::int64_t> id() const = 0;
+  /// Number of particles.
+  [[nodiscard]] Index count() const { return static_cast<Index>(id().size()); }
   [[nodiscard]] virtual const Scene& scene() const = 0;
   [[nodiscard]] virtual const sph::SmoothingKernel& kernel() const = 0;
   /// A number that a plugin published by name, in the unit that it gave; NaN if none did.

@@ -5,7 +5,6 @@
 
 #include "mesogen/plugin/observer.hpp"
 #include "mesogen/plugin/scene.hpp"
-#include "mesogen/sph/smoothing_kernel.hpp"
 
 namespace mesogen::nematics {
 
@@ -16,21 +15,16 @@ struct Defect {
   double orientation = 0.0;          ///< rad; see DirectorGrid::orientation
 };
 
-struct OrderTensor {
-  double q11 = 0.0;
-  double q12 = 0.0;
-};
+/// (Q11, Q12).
+using OrderTensor = std::array<double, 2>;
 
 /// The order tensor on a regular grid, and the defects of its director.
 ///
 /// The number of nodes along each axis is that of the particle spacings that fit. Between walls the first and last node
 /// are half a spacing off the walls, and no plaquette reaches across them. The value at a node is the mean of the
-/// particles around it, weighted by a kernel: Q(x) = sum_j W(x - x_j) Q_j / sum_j W(x - x_j) (Shepard 1968).
+/// particles around it, weighted by a kernel; see mesh::node_means.
 class DirectorGrid {
  public:
-  /// `points`, `values`: positions (m) and order tensors of the particles, by particle id. `kernel`: gives the weights.
-  DirectorGrid(const Scene& scene, const std::vector<std::array<double, 2>>& points,
-               const std::vector<OrderTensor>& values, const sph::SmoothingKernel& kernel);
   /// Uses the field `order_tensor` that an observer sees. The weights are the run's kernel with this smoothing length,
   /// in particle spacings.
   DirectorGrid(const ObserverContext& context, double smoothing_length);
@@ -42,6 +36,7 @@ class DirectorGrid {
 
  private:
   [[nodiscard]] std::size_t node(int i, int j) const;
+  [[nodiscard]] std::vector<Defect> defects_of_row(int j) const;
   /// Returns the point (s, t) in plaquette (i, j), each in [0, 1], where the bilinear interpolation of Q is zero.
   [[nodiscard]] std::array<double, 2> zero(int i, int j) const;
   /// The direction, seen from the defect, in which the director is radial. With k = +-1/2 the charge, it is

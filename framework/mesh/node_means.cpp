@@ -1,0 +1,195 @@
+#include "mesogen/mesh/node_means.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "mesogen/exec/counting_sort.hpp"
+#include "mesogen/neighbours/point_cells.hpp"
+#include "mesogen/sph/kernel_function.hpp"
+
+namespace mesogen::mesh {
+
+namespace {
+
+using Pack = exec::Pack<double>;
+constexpr auto lanes = static_cast<int>(Pack::size());
+
+using Values = std::array<double, 2>;
+
+struct Carried {
+  double x, y;
+  Values value;
+};
+
+/// Particles sorted by the band of the box, as high as a row of nodes, in which they are.
+class Bands {
+ public:
+  Bands(const Carriers& particles, int count, double height) : count_(count), height_(height) {
+    const auto& [x, y] = particles.position;
+    sorted_.resize(y.size());
+    begin_ = exec::counting_sort(
+        static_cast<Index>(y.size()), static_cast<std::size_t>(count),
+        [&](Index i) {
+          const double band = y[static_cast<std::size_t>(i)] / height;
+          return band > 0.0 ? static_cast<int>(std::min(band, count - 1.0)) : 0;
+        },
+        [&](Index i, Index to) {
+          const auto n = static_cast<std::size_t>(i);
+          sorted_[static_cast<std::size_t>(to)] = {x[n], y[n], {particles.field(0, i), particles.field(1, i)}};
+        });
+  }
+
+  /// Calls visit(particle, distance along y from `y` to it) for all in the bands within `reach`.
+  template <class Visit>
+  void around(double y, double reach, bool periodic, const Visit& visit) const {
+    const auto last = static_cast<int>(std::floor((y + reach) / height_));
+    for (auto band = static_cast<int>(std::floor((y - reach) / height_)); band <= last; ++band) {
+      const int image = (band >= 0 ? band : band - count_ + 1) / count_;
+      if (image != 0 && !periodic) continue;
+      const auto at = static_cast<std::size_t>(band - image * count_);
+      const double origin = y - image * count_ * height_;
+      for (auto n = static_cast<std::size_t>(begin_[at]); n < static_cast<std::size_t>(begin_[at + 1]); ++n)
+        visit(sorted_[n], sorted_[n].y - origin);
+    }
+  }
+
+ private:
+  int count_;
+  double height_;
+  std::vector<Carried> sorted_;
+  std::vector<Index> begin_;  // of each band
+};
+
+/// Weighted sums at the nodes of one row, and at as many beyond its ends as particles reach.
+class Row {
+ public:
+  Row(const Nodes& nodes, double reach)
+      : count_(nodes.count[0]),
+        spacing_(nodes.spacing[0]),
+        beyond_(static_cast<int>(reach / spacing_) + 2),
+        first_(nodes.first[0] - beyond_ * spacing_) {
+    for (auto& sum : sum_) sum.resize(static_cast<std::size_t>(count_ + 2 * beyond_ + lanes));
+    for (int lane = 0; lane < lanes; ++lane) lane_[lane] = lane * spacing_;
+  }
+
+  void clear() {
+    for (auto& sum : sum_) std::fill(sum.begin(), sum.end(), 0.0);
+  }
+
+  /// A particle at the distance `across` from the row reaches `half` along it.
+  template <class Kernel>
+  void add(const Carried& particle, double across, double half, const Kernel& kernel) {
+    const double at = particle.x - first_;
+    const auto last = static_cast<int>((at + half) / spacing_);
+    const Pack square(std::max(across * across, 1e-200));  // above 0, for its inverse
+    for (auto i = static_cast<int>((at - half) / spacing_); i <= last; i += lanes) {
+      const Pack along = lane_ + (i * spacing_ - at);
+      Pack distance;
+      Pack inverse;
+      exec::find_roots(along * along + square, distance, inverse);
+      const Pack weight = kernel.value(distance);
+      accumulate(sum_[0], i, weight);
+      accumulate(sum_[1], i, weight * particle.value[0]);
+      accumulate(sum_[2], i, weight * particle.value[1]);
+    }
+  }
+
+  /// Means at all nodes; 0 / 0 where no particle is near. In a periodic row the nodes beyond an end are those at the
+  /// other.
+  void means(bool periodic, Values* to) {
+    for (auto& sum : sum_) {
+      if (!periodic) continue;
+      for (int i = 0; i < beyond_; ++i) {
+        const int before = (i - beyond_ % count_ + count_) % count_;
+        sum[static_cast<std::size_t>(beyond_ + before)] += sum[static_cast<std::size_t>(i)];
+        sum[static_cast<std::size_t>(beyond_ + i % count_)] += sum[static_cast<std::size_t>(beyond_ + count_ + i)];
+      }
+    }
+    for (int i = 0; i < count_; ++i) {
+      const auto at = static_cast<std::size_t>(beyond_ + i);
+      to[i] = {sum_[1][at] / sum_[0][at], sum_[2][at] / sum_[0][at]};
+    }
+  }
+
+ private:
+  static void accumulate(std::vector<double>& sum, int i, const Pack& what) {
+    double* const to = sum.data() + i;
+    Pack there;
+    exec::load(to, there);
+    exec::store(there + what, to);
+  }
+
+  int count_;
+  double spacing_;
+  int beyond_;                              // nodes beyond each end
+  double first_;                            // coordinate of the first of all, m
+  Pack lane_;                               // distance of the lanes from the first, m
+  std::array<std::vector<double>, 3> sum_;  // of weights, and of weights times either value
+};
+
+template <class Kernel>
+Values mean_around(const std::array<double, 2>& place, const PointCells<2>& cells, const Kernel& kernel, double radius,
+                   const FieldReader& field) {
+  double weights = 0.0;
+  Values sum{};
+  for (double widening = 1.0; weights <= 0.0; widening *= 2.0) {
+    cells.within(place, widening * radius, [&](Index j, const auto&, double square) {
+      const double weight = kernel.value(std::sqrt(square) / widening);
+      weights += weight;
+      for (std::size_t c = 0; c < 2; ++c) sum[c] += weight * field(static_cast<int>(c), j);
+    });
+  }
+  return {sum[0] / weights, sum[1] / weights};
+}
+
+template <class Kernel>
+void look_farther(const Scene& scene, const Nodes& nodes, const Carriers& particles, const Kernel& kernel,
+                  double radius, std::vector<Values>& means) {
+  const auto& [x, y] = particles.position;
+  if (x.empty()) return;
+  std::vector<std::array<double, 2>> points(x.size());
+  for (std::size_t n = 0; n < points.size(); ++n) points[n] = {x[n], y[n]};
+  const PointCells<2> cells(scene, points, radius / 3.0);
+  const auto count = static_cast<Index>(means.size());
+#pragma omp parallel for schedule(static)
+  for (Index n = 0; n < count; ++n) {
+    Values& mean = means[static_cast<std::size_t>(n)];
+    if (!std::isnan(mean[0])) continue;
+    const std::array place{nodes.first[0] + n % nodes.count[0] * nodes.spacing[0],
+                           nodes.first[1] + n / nodes.count[0] * nodes.spacing[1]};
+    mean = mean_around(place, cells, kernel, radius, particles.field);
+  }
+}
+
+}  // namespace
+
+std::vector<Values> node_means(const Scene& scene, const Nodes& nodes, const Carriers& particles,
+                               const sph::SmoothingKernel& kernel) {
+  const auto columns = static_cast<std::size_t>(nodes.count[0]);
+  std::vector<Values> means(columns * static_cast<std::size_t>(nodes.count[1]));
+  const Bands bands(particles, nodes.count[1], nodes.spacing[1]);
+  const double radius = kernel.radius();
+  bool unknown = false;
+  sph::with_kernel_function<double>(kernel, [&](const auto& function) {
+#pragma omp parallel reduction(|| : unknown)
+    {
+      Row row(nodes, radius);
+#pragma omp for schedule(static)
+      for (int j = 0; j < nodes.count[1]; ++j) {
+        row.clear();
+        bands.around(nodes.first[1] + j * nodes.spacing[1], radius, scene.periodic[1],
+                     [&](const Carried& particle, double across) {
+                       const double square = radius * radius - across * across;
+                       if (square >= 0.0) row.add(particle, across, std::sqrt(square), function);
+                     });
+        Values* const here = &means[static_cast<std::size_t>(j) * columns];
+        row.means(scene.periodic[0], here);
+        unknown = unknown || std::any_of(here, here + columns, [](const Values& mean) { return std::isnan(mean[0]); });
+      }
+    }
+    if (unknown) look_farther(scene, nodes, particles, function, radius, means);
+  });
+  return means;
+}
+
+}  // namespace mesogen::mesh
