@@ -4,7 +4,6 @@
 #include <string>
 
 #include "mesogen/diagnostics/error.hpp"
-#include "mesogen/exec/first_failure.hpp"
 #include "mesogen/exec/for_each.hpp"
 #include "neighbours/outside.hpp"
 
@@ -29,23 +28,21 @@ std::vector<double> StateView::position(int axis) const {
   std::vector<double> all(state_.particles.id.size());
   const auto position = exec::pointers(state_.particles.position, exec::Side::host);
   const Scene& scene = state_.scene;
-  exec::FirstFailure failure;
+  std::vector<Index> outside;  // those that left the box since the last sorting
 #pragma omp parallel for schedule(static)
   for (Index i = 0; i < state_.particles.count(); ++i) {
+    all[static_cast<std::size_t>(i)] = position[axis][i];
+    if (exec::is_inside(position.data(), scene.box.data(), scene.dimension, i)) continue;
+#pragma omp critical(mesogen_outside)
+    outside.push_back(i);
+  }
+  for (const Index i : outside) {
     std::array<double, 3> at{};
+    std::array<std::int32_t, 3> images{};
     for (int d = 0; d < scene.dimension; ++d) at[d] = position[d][i];
-    // Only since the last sorting a particle can have left the box.
-    if (!exec::is_inside(position.data(), scene.box.data(), scene.dimension, i)) {
-      try {
-        std::array<std::int32_t, 3> images{};
-        state_.boundary.keep_inside(scene, at.data(), images.data());
-      } catch (...) {
-        failure.keep();
-      }
-    }
+    state_.boundary.keep_inside(scene, at.data(), images.data());
     all[static_cast<std::size_t>(i)] = at[axis];
   }
-  failure.rethrow();
   return all;
 }
 

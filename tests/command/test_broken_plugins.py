@@ -117,8 +117,8 @@ class Misbehaving(CommandTest):
 
     def test_boundaries(self):
         expected = {
-            # Nobody has left the box yet: it is asked by the observers, who see particles inside.
-            "keep_inside": (1, 'observers.flow (plugin "flow_statistics"), sample() at step 0, t = 0 s: plugin "keep_inside", keep_inside() failed: nobody expects this'),
+            # Asked when the first particle that left the box is brought back.
+            "keep_inside": (1, 'plugin "keep_inside", keep_inside() failed: nobody expects this'),
             "shear_not_finite": (3, 'plugin "shear_not_finite", shear(): moves an image of the box by (inf, 0, 0) m'),
             "shear_across": (3, 'plugin "shear_across", shear(): moves an image of the box along y, where the box is not '
                                 "periodic"),

@@ -102,8 +102,12 @@ class InARun(CrashTest):
 
     def test_a_boundary_within_an_observer(self):
         case = self.write_case(CASE.replace("periodic_ghosts", "crashing"))
-        self.assert_told(self.crashes("keep_inside()", "run", case, "--output", "out"),
-                         rf'observers\.flow \(plugin "flow_statistics"\), sample\(\) {MOMENT}: plugin "crashing", '
+        # In a flow on a mesh a particle leaves the box long before particles are sorted: an observer asks for it first.
+        self.assert_told(self.crashes("keep_inside()", "run", case, "--output", "out", "--set",
+                                      "physics.flow.type=incompressible", "--set", "velocity.type=uniform", "--set",
+                                      "velocity.value=[1.0, 0.0]", "--set", "time.step=0.02", "--set",
+                                      "observers.flow.type=defects", "--set", "observers.flow.interval=0.02"),
+                         rf'observers\.flow \(plugin "defects"\), sample\(\) {MOMENT}: plugin "crashing", '
                          r"keep_inside\(\)")
         self.assert_told(self.crashes("ghost_rule()", "run", case, "--output", "rule"),
                          rf'plugin "crashing", ghost_rule\(\) {MOMENT}')
