@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "neighbours/outside.hpp"
 #include "plugin/plugin_call.hpp"
 #include "run/state_view.hpp"
 
@@ -165,7 +166,8 @@ std::vector<FrameField> Observation::frame() {
       at[d] = stored_position[d][i];
       images[d] = stored_images[d][i];
     }
-    state.boundary.keep_inside(state.scene, at.data(), images.data());
+    if (!exec::is_inside(stored_position.data(), state.scene.box.data(), dimension, static_cast<Index>(i)))
+      state.boundary.keep_inside(state.scene, at.data(), images.data());
     const auto row = static_cast<std::size_t>(id[i] * dimension);
     for (int d = 0; d < dimension; ++d) {
       position.values[row + static_cast<std::size_t>(d)] = at[d];

@@ -106,7 +106,8 @@ class InARun(CrashTest):
         self.assert_told(self.crashes("keep_inside()", "run", case, "--output", "out", "--set",
                                       "physics.flow.type=incompressible", "--set", "velocity.type=uniform", "--set",
                                       "velocity.value=[1.0, 0.0]", "--set", "time.step=0.02", "--set",
-                                      "observers.flow.type=defects", "--set", "observers.flow.interval=0.02"),
+                                      "observers.flow.type=defects", "--set", "observers.flow.interval=0.02",
+                                      "--set", "output.interval=0.1"),
                          rf'observers\.flow \(plugin "defects"\), sample\(\) {MOMENT}: plugin "crashing", '
                          r"keep_inside\(\)")
         self.assert_told(self.crashes("ghost_rule()", "run", case, "--output", "rule"),
