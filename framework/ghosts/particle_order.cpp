@@ -76,7 +76,7 @@ void ParticleOrder::permute_fields(const exec::Array<Index>& order) {
   ++version_;
   resize_fields();
   for (const auto& [name, field] : fields_.all()) {
-    field->permute(order, scratch_);
+    if (!field->follows_positions) field->permute(order, scratch_);
     field->refreshed = 0;
   }
 }

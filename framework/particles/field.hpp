@@ -74,6 +74,8 @@ class MESOGEN_EXPORT Field {
   std::optional<FieldKind> kind;
   /// Its values are differences of two values of a field of that kind.
   bool difference = false;
+  /// Its values are made anew wherever particles have moved: they need not follow when particles change places.
+  bool follows_positions = false;
 
  private:
   template <class Real>

@@ -44,6 +44,7 @@ DerivedFields::DerivedFields(State& state, const Catalogue& catalogue, const std
   pass_of_["volume"] = {0};
   for (const std::string& field : all)
     if (field != "volume") state_.add_field(field, catalogue.components(field), false).kind = catalogue.kind(field, "");
+  for (const std::string& field : all) state_.fields.at(field).follows_positions = true;
 
   const auto note = [](Wanted& wanted, const std::string& field) {
     const DerivedName derived = derived_name(field);
@@ -139,14 +140,16 @@ void DerivedFields::run(PairPass& pass) {
   dispatch(state_.scene.precision, state_.scene.dimension,
            [&]<class Real, int Dim>() { run_pair_sums<Real, Dim>(pass); });
   state_.clock.end_of_work();
+  const bool new_positions = pass.positions != state_.neighbourhood.version();
   pass.positions = state_.neighbourhood.version();
   for (std::size_t n = 0; n < pass.components.size(); ++n) {
     const Component& component = pass.components[n];
+    if (!new_positions && pass.sources[n] == component.source->version) continue;
     pass.sources[n] = component.source->version;
     if (component.gradient != nullptr) ++component.gradient->version;
     if (component.laplacian != nullptr) ++component.laplacian->version;
   }
-  if (pass.correction != nullptr) ++pass.correction->version;
+  if (pass.correction != nullptr && new_positions) ++pass.correction->version;
   if (pass.volume) ++state_.fields.at("volume").version;
 }
 
@@ -162,7 +165,10 @@ void DerivedFields::run_pair_sums(PairPass& pass) {
   if (pass.volume) return loops.volumes(neighbours, state_.kernel, write(volume));
   sph::Derivatives<Real, Dim> wanted{};
   wanted.volume = std::as_const(volume).view<Real>(device);
-  for (const Component& component : pass.components) {
+  const bool new_positions = pass.positions != state_.neighbourhood.version();
+  for (std::size_t c = 0; c < pass.components.size(); ++c) {
+    const Component& component = pass.components[c];
+    if (!new_positions && pass.sources[c] == component.source->version) continue;
     const int n = wanted.count++;
     wanted.source[n] = std::as_const(*component.source).view<Real>(device).component(component.index);
     if (component.gradient != nullptr)
@@ -171,8 +177,7 @@ void DerivedFields::run_pair_sums(PairPass& pass) {
     if (component.laplacian != nullptr) wanted.laplacian[n] = write(*component.laplacian).component(component.index);
   }
   wanted.consistent = form_.consistent_laplacian;
-  const bool new_positions = pass.positions != state_.neighbourhood.version();
-  if (pass.correction != nullptr && (new_positions || !pass.by_weights)) wanted.correction = write(*pass.correction);
+  if (pass.correction != nullptr && new_positions) wanted.correction = write(*pass.correction);
   if (!pass.by_weights || wanted.correction) loops.derivatives(neighbours, state_.kernel, wanted);
   if (pass.by_weights) sph::derivatives<Real, Dim>(exec::Space{}, neighbours, weights(neighbours), wanted);
 }

@@ -46,9 +46,10 @@ double largest_rate(const LinearTerms& terms, double eigenvalue) {
 }
 
 int stages_needed(double rate, double step_size) {
-  const double explicit_steps = rate * step_size;  // in halves: (s^2 + s - 2) / 2 is the most that s stages take
-  const int least = static_cast<int>(std::ceil((std::sqrt(9.0 + 8.0 * explicit_steps) - 1.0) / 2.0));
-  return std::max(3, least + 1 - least % 2);
+  const double stiffness = rate * step_size;  // (s^2 + s - 2) / 2 is the most that s stages take
+  if (stiffness <= 2.0) return 2;
+  const int least = static_cast<int>(std::ceil((std::sqrt(9.0 + 8.0 * stiffness) - 1.0) / 2.0));
+  return least + 1 - least % 2;
 }
 
 Stages::Stages(State& state, DerivedFields& derived, const std::vector<LinearTerms>& staged, double eigenvalue)
@@ -59,6 +60,7 @@ Stages::Stages(State& state, DerivedFields& derived, const std::vector<LinearTer
       Field& made = state.add_field(name + " of " + terms.field, field.components(), false);
       made.kind = field.kind;
       made.difference = true;
+      made.follows_positions = true;
       return &made;
     };
     increments_[terms.field] = {{add("increment"), add("earlier increment")},

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+
 #include "mesogen/exec/sum_across.hpp"
 #include "mesogen/sph/pair_sum.hpp"
 #include "sph/passes/weighed_pairs.hpp"
@@ -146,6 +148,12 @@ class DerivativeLoop {
   Index particles_;
 };
 
+/// The fits differ in their Laplacians alone.
+template <class Real, int Dim>
+bool any_laplacian(const Derivatives<Real, Dim>& wanted) {
+  return std::any_of(wanted.laplacian, wanted.laplacian + wanted.count, [](const Real* one) { return one != nullptr; });
+}
+
 template <class Real, int Dim, int Count, class Source>
 void run_derivatives_of(const exec::Space& space, const Source& source, Index particles, Real smoothing_length,
                         const Derivatives<Real, Dim>& wanted) {
@@ -155,7 +163,7 @@ void run_derivatives_of(const exec::Space& space, const Source& source, Index pa
                    "derivatives");
   };
   if constexpr (Count > 0)
-    if (wanted.consistent) return with_fit(ConsistentFit<Real>{smoothing_length});
+    if (wanted.consistent && any_laplacian(wanted)) return with_fit(ConsistentFit<Real>{smoothing_length});
   with_fit(PlainFit<Real, Dim>{});
 }
 

@@ -25,25 +25,42 @@ template <class Real, int Dim, class Fit>
 struct WeightLoop {
   using Lane = exec::Pack<Real>;
   using Source = WeighedPairs<Real, Dim>;
+  static constexpr int group = int(Lane::size());
   Neighbours<Real, Dim> neighbours;
   Source source;
   Fit fit;
   Real* laplacian;
   Real* gradient[Dim];
 
-  void operator()(Index i) const {
+  /// Of the n-th group of particles.
+  void operator()(Index n) const {
+    const Index first = n * group;
+    const int members = std::min<Index>(group, neighbours.particle_count - first);
     typename Source::Kept kept;
-    source.keep(i, 1, kept);
-    Lane moments[Fit::sum_count] = {};
+    source.keep(first, members, kept);
+    alignas(Lane) Real lanes[Fit::sum_count][group][group] = {};
+    for (int k = 0; k < members; ++k) {
+      Lane sum[Fit::sum_count] = {};
+      source.visit(
+          first, k, kept, [&](const auto& p, const auto&) __attribute__((always_inline)) { fit.add(p, sum); });
+      for (int m = 0; m < Fit::sum_count; ++m) exec::store(sum[m], &lanes[m][k][0]);
+    }
+    Lane moments[Fit::sum_count];
+    for (int m = 0; m < Fit::sum_count; ++m) exec::sum_across(lanes[m], moments[m]);
+    Lane solved[Fit::weight_count];
+    fit.solve(moments, solved);
+    for (int k = 0; k < members; ++k) {
+      Real weight[Fit::weight_count];
+      for (int m = 0; m < Fit::weight_count; ++m) weight[m] = solved[m][static_cast<std::size_t>(k)];
+      store_weights(first, k, kept, weight);
+    }
+  }
+
+ private:
+  void store_weights(Index first, int k, typename Source::Kept& kept, const Real* weight) const {
+    Places places(neighbours, first + k);
     source.visit(
-        i, 0, kept, [&](const auto& p, const auto&) __attribute__((always_inline)) { fit.add(p, moments); });
-    Real total[Fit::sum_count];
-    exec::sum_lanes(moments, total);
-    Real weight[Fit::weight_count];
-    fit.solve(total, weight);
-    Places places(neighbours, i);
-    source.visit(
-        i, 0, kept, [&](const auto& p, const auto&) __attribute__((always_inline)) {
+        first, k, kept, [&](const auto& p, const auto&) __attribute__((always_inline)) {
           const std::int64_t lane = places.next();
           Lane slope[Dim];
           for (int d = 0; d < Dim; ++d) slope[d] = p.slope * p.separation[d];
@@ -57,7 +74,6 @@ struct WeightLoop {
         });
   }
 
- private:
   /// Where the weights of the packs of a particle lie, one after the other.
   class Places {
    public:
@@ -219,7 +235,7 @@ void find_weights_with(const Neighbours<Real, Dim>& neighbours, const SmoothingK
     if (!weights.laplacian.empty()) loop.laplacian = weights.laplacian.data();
     for (int d = 0; d < Dim; ++d)
       if (!weights.gradient[d].empty()) loop.gradient[d] = weights.gradient[d].data();
-    exec::for_each({}, neighbours.particle_count, loop);
+    exec::for_each({}, (neighbours.particle_count + loop.group - 1) / loop.group, loop);
   });
 }
 
