@@ -28,10 +28,13 @@ Json scene_json(const Setup& setup) {
 
 Json steps_json(const Setup& setup, const StepForecast& steps) {
   Json limits = Json::array();
-  for (const auto& limit : setup.limits.all()) limits.push_back({{"name", limit.text}, {"seconds", limit.seconds}});
+  for (const auto& limit : setup.limits.all())
+    if (std::isfinite(limit.seconds)) limits.push_back({{"name", limit.text}, {"seconds", limit.seconds}});
   return {{"end", setup.source.time.end},
           {"fixed", steps.fixed},
           {"limits", limits},
+          {"stepping", steps.stages.empty() ? "explicit" : "stabilised"},
+          {"stages", steps.stages},
           {"binds", steps.limit},
           {"step", number_or_null(steps.first)},
           {"speed", steps.speed},

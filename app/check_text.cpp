@@ -71,6 +71,10 @@ std::string steps_text(const Setup& setup, const StepForecast& steps) {
     text += fmt::format("time            {:.6g} {}, step chosen during the run, multiplied by {:.6g}\n", time.end, unit,
                         time.factor);
   }
+  std::string stages;
+  for (const auto& [field, number] : steps.stages)
+    stages += fmt::format("{}{} stages for {}", stages.empty() ? "" : ", ", number, field);
+  text += fmt::format("stepping        {}\n", stages.empty() ? "explicit" : "stabilised: " + stages);
   text += "limits on the step, in addition to those of the motion\n";
   for (const auto& limit : setup.limits.all()) {
     if (!std::isfinite(limit.seconds)) continue;

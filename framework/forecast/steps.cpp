@@ -1,8 +1,10 @@
 #include "forecast/steps.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "run/marks_of.hpp"
+#include "time/stages.hpp"
 #include "time/step_control.hpp"
 
 namespace mesogen {
@@ -43,6 +45,9 @@ StepForecast forecast_steps(const Setup& setup) {
   steps.at_speed = moving.seconds;
   steps.limit_at_speed = moving.limit;
   steps.expected = count(marks, time.end, moving.seconds);
+  const double step_size = std::min(moving.seconds, time.end);
+  for (const LinearTerms& terms : setup.graph->staged())
+    steps.stages[terms.field] = stages_needed(largest_rate(terms, largest_laplacian(setup)), step_size);
   return steps;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
 #include <string>
 
 #include "mesogen/export.hpp"
@@ -22,6 +23,8 @@ struct StepForecast {
   std::string limit_at_speed;
   double expected = 0.0;  ///< steps at that speed, or else those at rest
   bool fixed = false;     ///< the case names the step
+  /// By field, the stages of a stabilised step of that size; empty where steps are explicit.
+  std::map<std::string, int> stages = {};
 };
 
 MESOGEN_EXPORT StepForecast forecast_steps(const Setup& setup);

@@ -112,12 +112,9 @@ void Stages::run(const LinearTerms& terms, const Increments& increments, double 
   stage.components = rate.components();
   // Y_0 = 0, Y_1 = b_1 w dt M_0.
   before->fill_zero();
-  latest->fill_zero();
   const Coefficients second(2, stages);
-  stage.latest = std::as_const(*before).view<Real>(device);
-  stage.before = latest->view<Real>(device, read_write);
-  stage.of_slope = Real(step_size * second.mu_tilde / second.mu * weight(1));
-  loops.stage(stage, {}, count);
+  loops.scale(stage.slope, Real(step_size * second.mu_tilde / second.mu * weight(1)),
+              latest->view<Real>(device, read_write), stage.components, count);
   ++latest->version;
   for (int j = 2; j <= stages; ++j) {
     const Coefficients of(j, stages);

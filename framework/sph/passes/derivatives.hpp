@@ -54,7 +54,7 @@ class DerivativeLoop {
     }
   }
 
-  static constexpr int per_scalar = Dim + 1;  // gradient and Laplacian
+  static constexpr int per_scalar = Dim + (Fit::gives_laplacian ? 1 : 0);
   static constexpr int scalar_sums = Count == 0 ? 1 : Count * per_scalar;
 
   /// Sums of each particle of a group, lanes not added up yet.
@@ -120,19 +120,21 @@ class DerivativeLoop {
                                                       const Real* own, Lane* sum) const {
     Lane gradient[Dim];
     exec::unroll<Dim>([&](auto d) __attribute__((always_inline)) { gradient[d] = p.slope * p.separation[d]; });
-    const Lane laplacian = fit_.laplacian(p, gradient, weight);
+    Lane laplacian;
+    if constexpr (Fit::gives_laplacian) laplacian = fit_.laplacian(p, gradient, weight);
     exec::unroll<Count>([&](auto n) __attribute__((always_inline)) {
       const Lane difference = place.load(wanted_.source[n]) - Lane(own[n]);
       constexpr int at = n * per_scalar;
       exec::unroll<Dim>([&](auto d)
                             __attribute__((always_inline)) { sum[at + d] = sum[at + d] + gradient[d] * difference; });
-      sum[at + Dim] = sum[at + Dim] + laplacian * difference;
+      if constexpr (Fit::gives_laplacian) sum[at + Dim] = sum[at + Dim] + laplacian * difference;
     });
   }
 
   MESOGEN_HOST_DEVICE void finish(const Lane* sum, const Lane* weight, Index first, int members) const {
     for (int n = 0; n < Count; ++n, sum += per_scalar) {
-      if (wanted_.laplacian[n] != nullptr) put(sum[Dim], wanted_.laplacian[n] + first, members);
+      if constexpr (Fit::gives_laplacian)
+        if (wanted_.laplacian[n] != nullptr) put(sum[Dim], wanted_.laplacian[n] + first, members);
       if (wanted_.gradient[n][0] == nullptr) continue;
       for (int a = 0; a < Dim; ++a) {
         Lane component(Real(0));
@@ -148,7 +150,6 @@ class DerivativeLoop {
   Index particles_;
 };
 
-/// The fits differ in their Laplacians alone.
 template <class Real, int Dim>
 bool any_laplacian(const Derivatives<Real, Dim>& wanted) {
   return std::any_of(wanted.laplacian, wanted.laplacian + wanted.count, [](const Real* one) { return one != nullptr; });
@@ -162,9 +163,10 @@ void run_derivatives_of(const exec::Space& space, const Source& source, Index pa
     exec::for_each(space, (particles + Loop::group - 1) / Loop::group, Loop(source, fit, wanted, particles),
                    "derivatives");
   };
+  // The fits differ in their Laplacians alone.
+  if (!any_laplacian(wanted)) return with_fit(GradientFit<Real, Dim>{});
   if constexpr (Count > 0)
-    if (wanted.consistent && any_laplacian(wanted)) return with_fit(ConsistentFit<Real>{smoothing_length});
-  with_fit(PlainFit<Real, Dim>{});
+    wanted.consistent ? with_fit(ConsistentFit<Real>{smoothing_length}) : with_fit(PlainFit<Real, Dim>{});
 }
 
 template <class Real, int Dim>

@@ -23,6 +23,7 @@ struct WeighedPair {
 /// Solves for nothing but the correction of the gradient; see Derivatives.
 template <class Real, int Dim>
 struct PlainFit {
+  static constexpr bool gives_laplacian = true;
   static constexpr int sum_count = symmetric_components<Dim>;
 
   /// `sum` grows by - s_ij r_ij (x) r_ij, upper triangle.
@@ -54,6 +55,12 @@ struct PlainFit {
   }
 };
 
+/// The gradient alone.
+template <class Real, int Dim>
+struct GradientFit : PlainFit<Real, Dim> {
+  static constexpr bool gives_laplacian = false;
+};
+
 /// A Laplacian that is exact for quadratic functions on any particles, in 2D.
 ///
 /// A function with gradient G and second derivatives H is fitted to the differences f_j - f_i = G.d + H:dd/2,
@@ -67,6 +74,7 @@ struct PlainFit {
 /// first sum, as with the plain Laplacian: exact for linear functions.
 template <class Real>
 struct ConsistentFit {
+  static constexpr bool gives_laplacian = true;
   // The 3 second moments dd (xx, xy, yy), 4 third ones, 5 fourth ones; of -d and -w, so with the other sign.
   enum Sum { second = 0, third = 3, fourth = 7, sum_count = 12 };
   Real smoothing_length;
