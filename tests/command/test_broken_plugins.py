@@ -148,7 +148,8 @@ class Misbehaving(CommandTest):
         for name, (code, text) in expected.items():
             with self.subTest(name):
                 case = self.write_case(CASE.replace("periodic_ghosts", name))
-                moving = ["--set", "velocity.type=uniform", "--set", "velocity.value=[1.0, 0.0]"]
+                moving = ["--set", "velocity.type=uniform", "--set", "velocity.value=[1.0, 0.0]", "--set",
+                          "time.stepping=explicit"]
                 _, err = self.mesogen("run", case, "--output", name, "--plugin-path",
                                       os.path.join(BROKEN_PLUGINS, "boundaries"),
                                       *(moving if name == "keep_inside" else []), code=code)

@@ -137,12 +137,12 @@ class Check(CommandTest):
     def test_which_steps_it_will_take(self):
         paper = os.path.join(PROJECT, "cases", "active_turbulence", "paper.toml")
         out, _ = self.mesogen("check", paper, "--quick")
-        self.assertIn("stepping        stabilised: 3 stages for order_tensor, 33 stages for velocity\n", out)
+        self.assertIn("stepping        stabilised: 5 stages for order_tensor, 37 stages for velocity\n", out)
         self.assertIn("  sound: 0.25 h / c0 or 2 mu / rho c0^2          0.57971 s\n", out)
         self.assertNotIn("inf", out.partition("numbers")[0])
         steps = json.loads(self.mesogen("check", paper, "--quick", "--json")[0])["steps"]
         self.assertEqual(steps["stepping"], "stabilised")
-        self.assertEqual(steps["stages"], {"order_tensor": 3, "velocity": 33})
+        self.assertEqual(steps["stages"], {"order_tensor": 5, "velocity": 37})
         self.assertEqual(steps["steps_at_least"], 1600)
         out, _ = self.mesogen("check", paper, "--quick", "--set", "time.stepping=explicit")
         self.assertIn("stepping        explicit\n", out)

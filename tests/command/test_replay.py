@@ -32,7 +32,7 @@ RUN = (HEAD.replace("end = 0.1", "end = 0.5") + '[velocity]\ntype = "uniform"\nv
        + '[output]\ninterval = 0.05\nfields = ["velocity", "order_tensor", "density"]\n[run]\nprecision = "double"\n')
 # Made from stored fields by sums over neighbours, whose order in storage is another one.
 ROUNDED = {("flow", "vorticity_rms"), ("flow", "divergence_rms"), ("flow", "volume_min"), ("flow", "volume_max"),
-           ("mixing", "interface_length")}
+           ("mixing", "interface_length"), ("mixing", "stretching")}
 
 
 def samples(file):
