@@ -34,7 +34,8 @@ class TemplateNamePlugin final : public Physics {
     });
   }
 
-  // A force that grows with velocity or gradients limits the step: list.step_limit(), see plugins/physics/friction.
+  // A force -c u, or diffusion of a field, needs no pass: list.damping() and list.diffusion(), see
+  // plugins/physics/friction. Any other force that grows with velocity or gradients limits the step: list.step_limit().
   // What other plugins should know goes into publish().
   //
   // Checkpoints save fields that are advanced in time. If a pass changes numbers of its own and needs them at the next

@@ -14,21 +14,24 @@ namespace {
 constexpr double creeping = 0.1;    // Reynolds number by the box below which inertia plays no part
 constexpr double worthwhile = 1.5;  // times fewer steps: below, the error is not worth it
 
-// Explicit viscosity binds the step by the fluid's mass, which a creeping flow does not feel.
+// By the fluid's mass, which a creeping flow does not feel, viscosity binds explicit steps, and asks for stages of
+// stabilised ones: for as many as the square root of what it would bind them by.
 void advise_on_inertia(const FlowChoice& flow, const AdviceContext& context, std::vector<Suggestion>& list) {
   if (!flow.inertia || !std::isfinite(flow.creeping_density) || !(flow.creeping_density > worthwhile * flow.density))
     return;
   const double reynolds = nematics::reynolds_number(context.scene);
   if (!(reynolds > 0.0) || reynolds >= creeping) return;
+  const double ratio = flow.creeping_density / flow.density;
+  const bool staged = context.scene.stabilised_steps;
+  const std::string fewer = staged ? formatted("%.2g times fewer stages in a step", std::sqrt(ratio))
+                                   : std::string("as many times fewer steps");
   list.push_back(
       {"no_inertia",
-       formatted(
-           "the Reynolds number of the box is %.2g: the fluid's mass has no effect on this flow, but limits the step",
-           reynolds),
+       formatted("the Reynolds number of the box is %.2g: the fluid's mass has no effect on this flow, but %s",
+                 reynolds, staged ? "asks for many stages in a step" : "limits the step"),
        {context.section + ".inertia=false"},
-       formatted("an artificial density that is %.2g times the fluid's, and as many times fewer steps; growth rates "
-                 "are up to 5 %% too low",
-                 flow.creeping_density / flow.density)});
+       formatted("an artificial density that is %.2g times the fluid's, and %s; growth rates are up to 5 %% too low",
+                 ratio, fewer.c_str())});
 }
 
 // Density varies as the square of speed over sound speed.

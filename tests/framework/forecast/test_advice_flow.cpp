@@ -85,6 +85,22 @@ TEST(Advice, WithoutInertiaACreepingFlowTakesFewerSteps) {
   expect_settled(text, *found);
 }
 
+// In stabilised steps, which sound limits either way.
+TEST(Advice, WithoutInertiaAStabilisedStepTakesFewerStages) {
+  const CaseText text = film(1e-6).section("time", "end = 1.0");
+  const auto found = advised(text, "no_inertia");
+  ASSERT_TRUE(found);
+  EXPECT_NE(found->finding.find("the fluid's mass has no effect on this flow, but asks for many stages in a step"),
+            std::string::npos)
+      << found->finding;
+  EXPECT_NE(found->gain.find("times fewer stages in a step"), std::string::npos) << found->gain;
+  CaseRun before = CaseRun::unstarted(text);
+  CaseRun after(text, found->settings);
+  EXPECT_GT(forecast_steps(before.setup()).stages.at("velocity"),
+            50 * forecast_steps(after.setup()).stages.at("velocity"));
+  expect_settled(text, *found);
+}
+
 // Inertia matters above Re = 0.1; and where the artificial density is no larger there is nothing to gain.
 TEST(Advice, InertiaIsLeftWhereItMatters) {
   EXPECT_FALSE(advised(vortices(), "no_inertia"));
