@@ -113,9 +113,9 @@ ParameterList time(Case::Time& time) {
   list.text("stepping", time.stepping)
       .choices({"auto", "explicit", "stabilised"})
       .doc(
-          "explicit: viscosity, elasticity and friction limit the step. stabilised: they are taken in stages, and "
-          "limit "
-          "no step; a step costs more. auto: stabilised where the whole run is expected to take less time that way");
+          "explicit: viscosity, elasticity and friction limit the step. stabilised: they are taken in stages and limit "
+          "no "
+          "step; a step costs more. auto: stabilised where the whole run is expected to take less time that way");
   list.number("factor", time.factor)
       .doc("automatic step in multiples of its stability limit; above 1 a run may break down")
       .above(0.0)

@@ -74,7 +74,8 @@ class MESOGEN_EXPORT Field {
   std::optional<FieldKind> kind;
   /// Its values are differences of two values of a field of that kind.
   bool difference = false;
-  /// Its values are made anew wherever particles have moved: they need not follow when particles change places.
+  /// Its values are made anew wherever particles have moved: they need not follow when particles change places. Who
+  /// reads it has it made first; after a sorting it holds the values of other particles.
   bool follows_positions = false;
 
  private:

@@ -38,11 +38,10 @@ void choose_kernel(SetupContext& context);
 
 // setup_scene.cpp: the scene, as plugins see it and add to it.
 void describe_scene(SetupContext& context);
-void declare_physics(SetupContext& context);
 void limit_step(SetupContext& context);
 
 // setup_stepping.cpp: what plugins declare, for explicit or for stabilised steps.
-void choose_stepping(SetupContext& context);
+void declare_physics(SetupContext& context);
 
 // setup_fields.cpp: the fields that there are, and those that are stored.
 void collect_fields(SetupContext& context);

@@ -74,13 +74,6 @@ void describe_scene(SetupContext& context) {
   if (context.problems.empty()) publish_physics(context);
 }
 
-void declare_physics(SetupContext& context) {
-  Setup& setup = context.setup;
-  choose_stepping(context);
-  for (const auto& member : setup.physics)
-    for (const auto& [name, value] : member.passes.constants()) setup.scene.constants[name] = value;
-}
-
 void limit_step(SetupContext& context) {
   Setup& setup = context.setup;
   const Case& source = setup.source;

@@ -11,12 +11,11 @@ namespace mesogen {
 
 namespace {
 
-// What steps cost, in explicit steps of the same scene: 0.1 for a Laplacian of two components by stored weights, and
-// for all else of a stabilised step. Measured (bench/speed.py); a choice by the clock would not be the same in every
-// run.
-constexpr double laplacian_cost = 0.05;  // of one component
+// Costs in explicit steps of the same scene: of a Laplacian of one component in one stage, and of all else in a
+// stabilised step. Measured, but not during the run: every run chooses alike.
+constexpr double laplacian_cost = 0.05;
 constexpr double other_cost = 2.0;
-// Where explicit steps cost little more they are taken: they have no stages that could be too few.
+// Stabilised steps must cost at most so much of explicit ones, which cannot have too few stages.
 constexpr double worthwhile = 0.8;
 
 void declare(SetupContext& context, bool stabilised) {
@@ -28,9 +27,12 @@ void declare(SetupContext& context, bool stabilised) {
       member.passes = {};
       call_plugin(member.type, "declare()", [&] { member.plugin->declare(setup.scene, member.passes); });
     });
+  for (const auto& member : setup.physics)
+    for (const auto& [name, value] : member.passes.constants()) setup.scene.constants[name] = value;
 }
 
-/// The linear terms that stages can take, with the number of components of their fields.
+/// The linear terms that stages can take, with the number of components of their fields. None where the velocity of a
+/// flow is not among these fields: what a stabilised step does goes by the velocity.
 std::vector<std::pair<LinearTerms, int>> find_staged(const Setup& setup) {
   Catalogue catalogue(setup.scene.dimension);
   std::vector<LinearTerms> all;
@@ -42,6 +44,11 @@ std::vector<std::pair<LinearTerms, int>> find_staged(const Setup& setup) {
   std::vector<std::pair<LinearTerms, int>> staged;
   for (const LinearTerms& terms : all)
     if (can_be_staged(terms, catalogue)) staged.emplace_back(terms, catalogue.components(terms.field));
+  for (const auto& member : setup.physics) {
+    const std::string& velocity = member.passes.transport().velocity;
+    const auto is_velocity = [&](const auto& one) { return one.first.field == velocity; };
+    if (!velocity.empty() && std::ranges::none_of(staged, is_velocity)) return {};
+  }
   return staged;
 }
 
@@ -66,16 +73,15 @@ double cost_of_step(const Setup& setup, double step_size) {
 bool pays(const Setup& setup, double longest_explicit) {
   const double longest = longest_step(setup);
   if (!std::isfinite(longest_explicit) || !std::isfinite(longest)) return false;
-  // A given step is taken as it is, explicit if such steps can be as long.
+  // A given step is taken as it is. Explicit ones are stable a little beyond their limit.
   if (const auto given = setup.source.time.step) return *given > 2.0 * longest_explicit && *given <= longest;
-  const double whole = setup.source.time.end;
-  const double step = std::min(longest, whole);
-  return cost_of_step(setup, step) / step < worthwhile / std::min(longest_explicit, whole);
+  // The end of the run must not count: a run that is extended goes on as it began.
+  return cost_of_step(setup, longest) / longest < worthwhile / longest_explicit;
 }
 
 }  // namespace
 
-void choose_stepping(SetupContext& context) {
+void declare_physics(SetupContext& context) {
   Setup& setup = context.setup;
   const auto& time = setup.source.time;
   const auto refuse = [&](const std::string& why) {
@@ -87,17 +93,25 @@ void choose_stepping(SetupContext& context) {
         "stabilised steps have a scheme of their own: leave time.scheme at \"midpoint\", or take \"explicit\"");
   declare(context, wanted);
   if (!context.problems.empty() || time.stepping == "explicit" || time.scheme != "midpoint") return;
-  if (find_staged(setup).empty()) {
-    if (wanted)
-      refuse(
-          "stages are for viscosity, elasticity, friction and other linear terms on particles, and this case has none: "
-          "leave it at \"auto\"");
-    return;
+  try {
+    if (find_staged(setup).empty()) {
+      if (wanted)
+        refuse(
+            "stages are for viscosity, elasticity, friction and other linear terms that plugins declare, and the flow "
+            "of this case has none: leave it at \"auto\"");
+      return;
+    }
+    if (wanted) return;
+    const double longest_explicit = longest_step(setup);
+    const Problems none = context.problems;
+    declare(context, true);
+    if (context.problems.empty() && pays(setup, longest_explicit)) return;
+    context.problems = none;
+    declare(context, false);
+  } catch (const Error&) {
+    // What is wrong with a limit or a term is told, with its place, where they are collected.
+    if (!wanted) declare(context, false);
   }
-  if (wanted) return;
-  const double longest_explicit = longest_step(setup);
-  declare(context, true);
-  if (context.problems.empty() && !pays(setup, longest_explicit)) declare(context, false);
 }
 
 }  // namespace mesogen

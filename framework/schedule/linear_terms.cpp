@@ -1,11 +1,13 @@
 #include "schedule/linear_terms.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "mesogen/diagnostics/error.hpp"
 #include "mesogen/exec/dispatch.hpp"
 #include "mesogen/plugin/context.hpp"
 #include "particles/field_loops.hpp"
+#include "text/rounded_text.hpp"
 
 namespace mesogen {
 
@@ -28,7 +30,11 @@ void add(const PassContext& context, const Backend& backend, const LinearTerms& 
 
 void add_linear_terms(const std::string& instance, const PassList& passes, std::vector<LinearTerms>& all) {
   for (const LinearTerm& term : passes.linear_terms()) {
-    if (!(term.coefficient > 0.0)) continue;
+    if (!(term.coefficient >= 0.0) || !std::isfinite(term.coefficient))
+      throw Error(ExitCode::plugin_refused, instance + " declares a linear term of '" + term.field +
+                                                "' with coefficient " + rounded_text(term.coefficient) +
+                                                ": it must be at least 0");
+    if (term.coefficient == 0.0) continue;
     auto at = std::ranges::find_if(
         all, [&](const LinearTerms& one) { return one.field == term.field && one.rate == term.rate; });
     if (at == all.end()) {
@@ -45,8 +51,8 @@ void add_linear_terms(const std::string& instance, const PassList& passes, std::
 
 bool can_be_staged(const LinearTerms& terms, const Catalogue& catalogue) {
   const Catalogue::Entry* const entry = catalogue.find(terms.field);
-  return entry != nullptr && has_rate(entry->declaration.advance) && entry->declaration.rate == terms.rate &&
-         catalogue.find(terms.field + "_laplacian") == nullptr;
+  return entry != nullptr && terms.usual_divisor > 0.0 && has_rate(entry->declaration.advance) &&
+         entry->declaration.rate == terms.rate && catalogue.find(terms.field + "_laplacian") == nullptr;
 }
 
 Pass linear_pass(const LinearTerms& terms, const Catalogue& catalogue, const Backend& backend) {

@@ -102,6 +102,11 @@ void StepGraph::add_linear_terms(const std::vector<Member>& members, const Backe
   std::vector<LinearTerms> all;
   for (const Member& member : members) mesogen::add_linear_terms(member.instance, *member.passes, all);
   for (const LinearTerms& terms : all) {
+    const auto components = [&](const std::string& field) { return catalogue_.components(field); };
+    if (catalogue_.exists(terms.rate) && catalogue_.exists(terms.field) &&
+        components(terms.rate) != components(terms.field))
+      throw Error(ExitCode::plugin_refused, terms.owner + " declares '" + terms.rate + "' as the rate of '" +
+                                                terms.field + "', which has another number of components");
     if (!stabilised || !can_be_staged(terms, catalogue_)) {
       add_own(terms.owner, linear_pass(terms, catalogue_, backend));
       continue;

@@ -91,8 +91,8 @@ void Integrator::start() {
     if (one.in_stages != nullptr) stages_.take(*one.in_stages, 0.0);
 }
 
-// How far a field is predicted, s. A velocity in stages is not: it is found before anybody needs its middle. Nor is a
-// stiff field in the first step, because its rate at the start tells nothing of the middle.
+// How far a field is predicted, s. A velocity in stages is not: advance_velocity() finds its value at the middle of the
+// step. Nor is a stiff field in the first step, because its rate at the start tells nothing of the middle.
 double Integrator::prediction(const Advanced& one, double step_size) const {
   const bool unknown = one.in_stages != nullptr && (one.field == velocity_ || state_.step == 0);
   return unknown ? 0.0 : step_size / 2.0;
@@ -156,13 +156,14 @@ Motion Integrator::correct(double step_size) {
   } else if (midpoint) {
     nowhere = move(step_size / 2.0, step_size);
   }
+  for (const Advanced& one : advanced_) {
+    if (one.in_stages == nullptr || one.field == velocity_) continue;
+    if (one.start != nullptr) advance(one, *one.start, 0.0);
+    stages_.take(*one.in_stages, step_size);
+  }
   std::vector<exec::Reduction> largest;
   for (const Advanced& one : advanced_) {
     Field& from = one.start != nullptr ? *one.start : *one.field;
-    if (one.in_stages != nullptr && one.field != velocity_) {
-      if (one.start != nullptr) advance(one, from, 0.0);
-      stages_.take(*one.in_stages, step_size);
-    }
     largest.push_back(advance(one, from, one.start == nullptr && one.predicted ? step_size / 2.0 : step_size));
   }
   if (!by_passes && !midpoint) nowhere = move(step_size / 2.0, step_size);

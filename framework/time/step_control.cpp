@@ -8,7 +8,7 @@ namespace mesogen {
 StepControl::StepControl(const Scene& scene, StepLimits limits, std::optional<double> fixed, double factor)
     : spacing_(scene.spacing),
       smoothing_length_(scene.smoothing_length),
-      way_(scene.stabilised_steps ? 0.5 : 0.2),
+      stabilised_(scene.stabilised_steps),
       limits_(std::move(limits)),
       fixed_(fixed),
       factor_(factor),
@@ -20,7 +20,8 @@ StepControl::Choice StepControl::choose(double fastest, double largest_accelerat
   if (largest_acceleration > 0.0)
     all.add(StepCause::acceleration, "0.25 sqrt(h / |a|)", 0.25 * std::sqrt(smoothing_length_ / largest_acceleration));
   if (fastest > 0.0)
-    all.add(StepCause::speed, way_ == 0.2 ? "0.2 dx / |u|" : "0.5 dx / |u|", way_ * spacing_ / fastest);
+    all.add(StepCause::speed, stabilised_ ? "0.5 dx / |u|" : "0.2 dx / |u|",
+            (stabilised_ ? 0.5 : 0.2) * spacing_ / fastest);
   Choice choice{std::numeric_limits<double>::infinity(), "nothing", StepCause::nothing};
   for (const auto& limit : all.all())
     if (limit.seconds < choice.seconds) choice = {limit.seconds, limit.text, limit.cause};

@@ -34,7 +34,7 @@ class MESOGEN_EXPORT StepControl {
  private:
   double spacing_;
   double smoothing_length_;
-  double way_;  // the longest of a particle in a step, in spacings
+  bool stabilised_;
   StepLimits limits_;
   std::optional<double> fixed_;
   double factor_;

@@ -171,7 +171,6 @@ Result compute(int across, bool device) {
     momentum.pressure = {p.data(), stride};
     momentum.density = {density.data(), stride};
     momentum.correction = {correction.data(), stride};
-    momentum.velocity_laplacian = {laplacian.data(), stride};
     momentum.acceleration = {acceleration.data(), stride};
     momentum.viscosity = Real(0.1);
     sph::pair_sum<Real, 2>(space, grid, kernel, momentum);

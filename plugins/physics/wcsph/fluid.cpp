@@ -23,15 +23,16 @@ void Fluid::parameters(ParameterList& list) {
       .at_least(2)
       .doc(
           "momentum relaxes at least this many times faster than the nematic changes. Growth rates are too low by up "
-          "to "
-          "1 / relaxation_ratio; the number of steps grows in proportion to it")
+          "to 1 / relaxation_ratio; the number of explicit steps grows in proportion to it, stages of stabilised ones "
+          "with its root")
       .only_with("inertia", {"false"});
   list.number_or("sound_speed", sound_speed_, "auto")
       .unit("m/s")
       .above(0)
       .doc(
           "c0; auto: the largest of 10 times the expected speed, sqrt(stress / (rho delta)), and the speed up to which "
-          "viscosity, not sound, limits the step. With auto, c0 rises during a run, and steps get shorter, if the "
+          "viscosity, not sound, limits explicit steps. With auto, c0 rises during a run, and steps get shorter, if "
+          "the "
           "largest |rho / rho0 - 1| exceeds 3 times density_variation on average over the time that sound takes "
           "through the box, or 10 times at any moment, or if the flow is faster than half of c0. A c0 that is given "
           "does not change, nor does any c0 with a given time.step");
@@ -66,8 +67,9 @@ void Fluid::declare(const Scene& scene, PassList& list, bool radial, bool plain)
   list.step_limit(StepCause::sound, scene.stabilised_steps ? "0.25 h / c0 or 2 mu / rho c0^2" : "0.25 h / c0",
                   [this](const Scene& run) { return sound_step(run); });
   if (scene.stabilised_steps && !(scene.scales.stress > 0.0))
-    list.step_limit(StepCause::viscosity, "0.01 rho / (mu k^2) of the longest wave",
-                    [this](const Scene& run) { return 0.01 * density_ / (viscosity_ * smallest_square(run)); });
+    list.step_limit(StepCause::viscosity, "0.01 rho / (mu k^2 + xi) of the longest wave", [this](const Scene& run) {
+      return 0.01 * density_ / (viscosity_ * smallest_square(run) + run.constant("friction"));
+    });
   constexpr const char* rule = "stable diffusion by mu / rho";
   if (radial)
     list.step_limit(StepCause::viscosity, rule, [this](const Scene& run) { return viscous_step(run); });

@@ -32,7 +32,8 @@ class Wcsph final : public Physics {
         .at_least(0)
         .at_most(0.5)
         .doc(
-            "strength delta of the density diffusion delta h c0 lap rho (delta-SPH); auto: 0.1; 0.02 with inertia = "
+            "strength delta of the density diffusion delta h c0 lap rho (delta-SPH), which is h c0 / nu times as "
+            "strong where that is below 1; auto: 0.1; 0.02 with inertia = "
             "false. Where pressure balances a force, the diffusion makes the flow diverge in proportion to delta. 0: "
             "none; a density that alternates from particle to particle then drives a flow where there should be none");
     list.number("shift", shift_)

@@ -65,8 +65,8 @@ TEST(Stepping, IsRefusedWhereItCannotBe) {
   CaseText mesh = active(1.0, 24, "stepping = \"stabilised\"");
   mesh.section("physics.flow", "type = \"incompressible\"\ndensity = 1.0\nviscosity = 1.0");
   EXPECT_NE(error_of([&] { stabilised(mesh); }, ExitCode::bad_case)
-                .find("time.stepping: stages are for viscosity, elasticity, friction and other linear terms on "
-                      "particles, and this case has none: leave it at \"auto\""),
+                .find("time.stepping: stages are for viscosity, elasticity, friction and other linear terms that "
+                      "plugins declare, and the flow of this case has none: leave it at \"auto\""),
             std::string::npos);
 }
 

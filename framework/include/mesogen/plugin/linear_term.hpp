@@ -9,7 +9,7 @@
 
 namespace mesogen {
 
-/// A linear part of a field's rate of change that takes differences out of the field, or the field itself to zero:
+/// A linear part of a field's rate of change that evens out the field (diffusion) or reduces it to zero (damping):
 ///
 ///     diffusion    rate += coefficient / divisor x Laplacian of the field
 ///     damping      rate -= coefficient / divisor x field

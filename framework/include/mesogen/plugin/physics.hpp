@@ -23,9 +23,9 @@ class MESOGEN_EXPORT Physics {
   /// called twice, each time in the order of the case. The second time the scene has the constants of all plugins and
   /// what the initial conditions set, so a plugin may publish what follows from another plugin's constants.
   virtual void publish(Scene& scene) const;
-  /// Called once for explicit and once for stabilised steps (Scene::stabilised_steps), each time with an empty list;
-  /// the last call counts. Makes all choices that depend on the scene, and declares fields, passes, limits on the step
-  /// and advice. Throws Error or BadParameter if the parameters make no sense in this scene. For `plugin info` it is
+  /// May be called several times, with Scene::stabilised_steps false or true and an empty list each time. Only the last
+  /// call counts, so it must set every member anew. Makes all choices that depend on the scene, and declares fields,
+  /// passes, limits on the step and advice. Throws Error or BadParameter if the parameters make no sense in this scene. For `plugin info` it is
   /// called with a sample scene and default parameters.
   virtual void declare(const Scene& scene, PassList& list) = 0;
 };

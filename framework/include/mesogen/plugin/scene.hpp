@@ -50,8 +50,8 @@ struct Scene {
   /// Largest step x diffusivity for which the Laplacian of this run, with its kernel and time scheme, is stable (with a
   /// margin for disordered particles), m2: limit a diffusion D to steps of diffusion_step / D.
   double diffusion_step = 0.0;
-  /// The same of a diffusion that is declared (PassList::diffusion) of a certain field; infinite if that takes any
-  /// step.
+  /// The same of a diffusion of a certain field that is declared (PassList::diffusion); infinite if that takes any
+  /// step. For a diffusion that a pass of your own sums, take diffusion_step.
   [[nodiscard]] double diffusion_step_of(std::string_view field) const {
     const bool any = stabilised_steps || scales.laplacians_for_any_step.contains(field);
     return any ? std::numeric_limits<double>::infinity() : diffusion_step;
