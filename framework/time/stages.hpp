@@ -54,8 +54,8 @@ class MESOGEN_EXPORT Stages {
 /// `eigenvalue`: largest of minus the Laplacian, 1/m2.
 MESOGEN_EXPORT double largest_rate(const LinearTerms& terms, double eigenvalue);
 
-/// The stages that a step needs where the fastest of the linear terms decays at `rate`, 1/s: 2, or an odd number. (Of an
-/// even number of stages beyond 2, the shortest waves change sign.)
+/// The stages that a step needs where the fastest of the linear terms decays at `rate`, 1/s: 2, or an odd number. (Of
+/// an even number of stages beyond 2, the shortest waves change sign.)
 MESOGEN_EXPORT int stages_needed(double rate, double step_size);
 
 }  // namespace mesogen

@@ -25,8 +25,8 @@ class MESOGEN_EXPORT Physics {
   virtual void publish(Scene& scene) const;
   /// May be called several times, with Scene::stabilised_steps false or true and an empty list each time. Only the last
   /// call counts, so it must set every member anew. Makes all choices that depend on the scene, and declares fields,
-  /// passes, limits on the step and advice. Throws Error or BadParameter if the parameters make no sense in this scene. For `plugin info` it is
-  /// called with a sample scene and default parameters.
+  /// passes, limits on the step and advice. Throws Error or BadParameter if the parameters make no sense in this scene.
+  /// For `plugin info` it is called with a sample scene and default parameters.
   virtual void declare(const Scene& scene, PassList& list) = 0;
 };
 
