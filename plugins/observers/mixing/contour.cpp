@@ -83,7 +83,8 @@ void ColourLine::average(const std::vector<std::vector<double>>& position, const
         numbers[0] = 1.0;
         numbers[1] = colour[static_cast<std::size_t>(i)];
       },
-      means_, [&](int row) {
+      means_,
+      [&](int row) {
         const double* const weight = means_.row(0, row);
         double* const value = means_.row(1, row);
         for (int i = 0; i < mesh_.grid().points[0]; ++i)
