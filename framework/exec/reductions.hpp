@@ -1,5 +1,8 @@
 #pragma once
 
+#include <cmath>
+#include <cstdint>
+#include <cstring>
 #include <stdexcept>
 
 #include "exec/backend.hpp"
@@ -50,7 +53,11 @@ class Reductions {
     rounds_ = 0;
     waited_ = next_;
   }
-  [[nodiscard]] double found(Reduction reduction) const { return pinned_[reduction.place]; }
+  /// Infinite if something was not a number.
+  [[nodiscard]] double found(Reduction reduction) const {
+    const double largest = pinned_[reduction.place];
+    return std::isnan(largest) ? HUGE_VAL : largest;
+  }
 
   [[nodiscard]] double* device(Reduction reduction) const { return device_ + reduction.place; }
   [[nodiscard]] double* pinned(Reduction reduction) const { return pinned_ + reduction.place; }
@@ -64,10 +71,20 @@ class Reductions {
   int rounds_ = 0;  // how often the places were begun anew since
 };
 
-/// `Count` numbers, none of them below zero or not a number.
+/// The largest of `Count` numbers each, none of them below zero, kept as the integers of their bits: those are in the
+/// same order, what is not a number comes after infinity, and a compiler finds the largest of several at a time.
 template <int Count>
 struct Maxima {
-  double value[Count];
+  std::uint64_t bits[Count] = {};
+
+  MESOGEN_HOST_DEVICE void raise(int n, double number) {
+    std::uint64_t of_number;
+    memcpy(&of_number, &number, sizeof(number));
+    bits[n] = of_number > bits[n] ? of_number : bits[n];
+  }
+  MESOGEN_HOST_DEVICE void raise(const Maxima& other) {
+    for (int n = 0; n < Count; ++n) bits[n] = other.bits[n] > bits[n] ? other.bits[n] : bits[n];
+  }
 };
 
 #ifdef __CUDACC__
@@ -81,14 +98,12 @@ __global__ void find_largest(Index count, Function function, double* largest) {
   Maxima<Count> own{};
   if (i < count) function(i, own);
   for (int n = 0; n < Count; ++n) {
+    auto most = static_cast<unsigned long long>(own.bits[n]);
     for (int step = 16; step > 0; step /= 2) {
-      const double other = __shfl_xor_sync(0xFFFFFFFFU, own.value[n], step);
-      if (other > own.value[n]) own.value[n] = other;
+      const unsigned long long other = __shfl_xor_sync(0xFFFFFFFFU, most, step);
+      if (other > most) most = other;
     }
-    // Maxima that are not negative are in order as the integers of their bits are.
-    if (threadIdx.x % 32 == 0 && own.value[n] > 0.0)
-      atomicMax(reinterpret_cast<unsigned long long*>(largest + n),
-                static_cast<unsigned long long>(__double_as_longlong(own.value[n])));
+    if (threadIdx.x % 32 == 0 && most > 0) atomicMax(reinterpret_cast<unsigned long long*>(largest + n), most);
   }
 }
 
@@ -96,7 +111,7 @@ __global__ void find_largest(Index count, Function function, double* largest) {
 #endif
 
 /// Looks for the largest of each of `Count` numbers over all i: function(i, maxima) raises those that are larger at i.
-/// It raises to infinity where something is not a number. `what`: of the loop, for the error if it cannot start.
+/// `what`: of the loop, for the error if it cannot start.
 template <int Count, class Function>
 Reduction find_largest(const Space& space, Reductions& reductions, Index count, const Function& function,
                        [[maybe_unused]] const char* what) {
@@ -115,21 +130,23 @@ Reduction find_largest(const Space& space, Reductions& reductions, Index count, 
 #else
   (void)space;
 #endif
-  double* const largest = reductions.pinned(reduction);
-  for (int n = 0; n < Count; ++n) largest[n] = 0.0;
+  Maxima<Count> all;
   const Blocks blocks(count);
   WorkStealing stealing(blocks.number());
 #pragma omp parallel
   {
     [[maybe_unused]] const FlushSubnormals flush;
-    Maxima<Count> own{};
+    const Function copy = function;  // what the loop writes cannot change it, so a compiler may keep it in registers
+    Maxima<Count> own;
     stealing.take([&](Index block) {
-      for (Index i = blocks.begin(block); i < blocks.end(block); ++i) function(i, own);
+      Maxima<Count> of_block = own;
+      for (Index i = blocks.begin(block), end = blocks.end(block); i < end; ++i) copy(i, of_block);
+      own = of_block;
     });
 #pragma omp critical(mesogen_find_largest)
-    for (int n = 0; n < Count; ++n)
-      if (own.value[n] > largest[n]) largest[n] = own.value[n];
+    all.raise(own);
   }
+  std::memcpy(reductions.pinned(reduction), all.bits, sizeof(all.bits));
   return reduction;
 }
 

@@ -38,7 +38,7 @@ struct FindRanges {
   }
 };
 
-/// Places the particles of a cell; raises above zero if one has strayed too far.
+/// Places the particles of a cell; raises if one has strayed too far.
 template <class Real>
 struct PlaceParticles {
   CellGrid grid;
@@ -58,7 +58,7 @@ struct PlaceParticles {
         p.local[d][i] = Real(at - origin[d]);
       }
       // Written so that NaN counts as having strayed; the guard after the step names it.
-      if (!(moved <= p.farthest_square)) strayed.value[0] = 1.0;
+      if (!(moved <= p.farthest_square)) strayed.raise(0, 1.0);
     }
   }
 };

@@ -50,9 +50,10 @@ void for_each(const Space& space, Index count, const Function& function,
 #pragma omp parallel
   {
     [[maybe_unused]] const FlushSubnormals flush;
+    const Function copy = function;  // what the loop writes cannot change it, so a compiler may keep it in registers
     stealing.take([&](Index block) {
       try {
-        for (Index i = blocks.begin(block); i < blocks.end(block); ++i) function(i);
+        for (Index i = blocks.begin(block), end = blocks.end(block); i < end; ++i) copy(i);
       } catch (...) {
         failure.keep();
       }
