@@ -97,17 +97,21 @@ requires(Dim == 2) class Incompressible final : public Physics {
     pass(list, "flow at the midpoint", Phase::begin, &MeshFlow<Real, Dim>::to_midpoint)
         .reads({"velocity"})
         .writes({"velocity", "velocity_gradient", "density"});
+    const bool shifts = shift_ > 0.0;
     if (nematic_) {
-      const auto derivatives = [&](Phase phase, bool in_step) {
-        list.pass(in_step ? "derivatives of the order tensor" : "derivatives of the order tensor, for readers", phase)
-            .reads({"order_tensor"})
-            .writes({"order_tensor_gradient", "order_tensor_laplacian"})
-            .run([this, in_step](const PassContext& context) {
-              flow().order_tensor_derivatives(context, diffusivity_, in_step ? context.step_size() : 0.0);
-            });
-      };
-      derivatives(Phase::rates, true);
-      derivatives(Phase::observe, false);
+      Pass& in_step = list.pass(shifts ? "derivatives of the order tensor, and shift" : "derivatives of the order tensor",
+                                Phase::rates);
+      Pass& for_readers = list.pass("derivatives of the order tensor, for readers", Phase::observe);
+      for (Pass* const made : {&in_step, &for_readers})
+        made->reads({"order_tensor"}).writes({"order_tensor_gradient", "order_tensor_laplacian"});
+      if (shifts) in_step.accumulates({"shift_velocity"});
+      in_step.run([this, shifts](const PassContext& context) {
+        shifts ? flow().template order_tensor_derivatives<true>(context, diffusivity_, context.step_size())
+               : flow().template order_tensor_derivatives<false>(context, diffusivity_, context.step_size());
+      });
+      for_readers.run([this](const PassContext& context) {
+        flow().template order_tensor_derivatives<false>(context, diffusivity_, 0.0);
+      });
     }
     // So that there is an acceleration where nobody adds to it.
     list.pass("no force of its own").accumulates({"acceleration"}).idle_if(true).run([](const PassContext&) {});
@@ -117,12 +121,12 @@ requires(Dim == 2) class Incompressible final : public Physics {
     pass(list, "pressure", Phase::rates, &MeshFlow<Real, Dim>::pressure).reads({"acceleration"}).writes({"pressure"});
     pass(list, "shift", Phase::rates, &MeshFlow<Real, Dim>::spread_particles)
         .accumulates({"shift_velocity"})
-        .idle_if(shift_ == 0.0);
+        .idle_if(nematic_ || !shifts);
     list.pass("shift of close pairs")
         .reads({"velocity_gradient"})
         .accumulates({"shift_velocity"})
         .beside_pair_sums()
-        .idle_if(shift_ == 0.0)
+        .idle_if(!shifts)
         .run([this](const PassContext& context) { move_apart(context); });
     pass(list, "flow at the end", Phase::end, &MeshFlow<Real, Dim>::to_end).writes({"velocity"});
     pass(list, "velocity gradient, for readers", Phase::observe, &MeshFlow<Real, Dim>::velocity_gradient)

@@ -142,13 +142,15 @@ class MeshFlow {
 
   /// Gradient and Laplacian of the order tensor. Of what the mesh does not carry the Laplacian is that of its shortest
   /// wave: nothing else would damp it. `diffusivity` x `step_size` are what the Laplacian will be multiplied by;
-  /// 0 for readers, who see the same in a replay, where nobody knows how far the mesh has gone.
+  /// 0 for readers, who see the same in a replay, where nobody knows how far the mesh has gone. `Spreads`: particles
+  /// are spread as by spread_particles(): with what is interpolated to them here that costs little.
+  template <bool Spreads>
   void order_tensor_derivatives(const PassContext& context, double diffusivity, double step_size) {
-    if (step_size == 0.0) here_ = {};
+    if (step_size == 0.0 && !Spreads) here_ = {};
     locate(context);
     constexpr int components = 2;
     const auto q = context.read<Real>("order_tensor");
-    std::array<Complex*, components> tensor{work_[0].data(), work_[1].data()};
+    const Modes tensor = modes_of(work_);
     spectrum_.template fit<components>(
         [&](Index i, Real* numbers) {
           for (int c = 0; c < components; ++c) numbers[c] = q(c, i);
@@ -160,17 +162,22 @@ class MeshFlow {
     constexpr int slopes = components * Dim;
     const auto gradient = context.write<Real>("order_tensor_gradient");
     const auto laplacian = context.write<Real>("order_tensor_laplacian");
-    spectrum_.template evaluate<slopes + components>(
+    constexpr int numbers = slopes + components;
+    Spreading spreading;
+    if constexpr (Spreads) spreading = find_spreading(context);
+    spectrum_.template evaluate<numbers + (Spreads ? Dim : 0)>(
         [&](std::size_t n, const WaveVector& k, Complex* modes) {
           const double square = Kept::square(k);
           for (int c = 0; c < components; ++c) {
             for (int d = 0; d < Dim; ++d) modes[c * Dim + d] = mesh::derivative(k[d], tensor[c][n]);
             modes[slopes + c] = (below - square * limited(scale * square)) * tensor[c][n];
           }
+          if constexpr (Spreads) spreading.modes(n, k, modes + numbers);
         },
         [&](Index i, const Real* there) {
           for (int c = 0; c < slopes; ++c) gradient(c, i) = there[c];
           for (int c = 0; c < components; ++c) laplacian(c, i) = there[slopes + c] - Real(below) * q(c, i);
+          if constexpr (Spreads) spreading.add(i, there + numbers);
         });
   }
 
@@ -178,30 +185,43 @@ class MeshFlow {
   /// unevenness delta away at the rate s.
   void spread_particles(const PassContext& context) {
     locate(context);
-    Complex* const uneven = work_[0].data();
-    spectrum_.unevenness(uneven);
+    const Spreading spreading = find_spreading(context);
+    spectrum_.template evaluate<Dim>(
+        [&](std::size_t n, const WaveVector& k, Complex* modes) { spreading.modes(n, k, modes); },
+        [&](Index i, const Real* there) { spreading.add(i, there); });
+  }
+
+ private:
+  struct Spreading {
+    double rate = 0.0;  // 1/s
+    Real fastest{};     // m/s
+    const Complex* uneven = nullptr;
+    FieldView<Real> shift;
+
+    void modes(std::size_t n, const WaveVector& k, Complex* velocity) const {
+      const double square = Kept::square(k);
+      for (int d = 0; d < Dim; ++d)
+        velocity[d] = square > 0.0 ? mesh::derivative(-rate * k[d] / square, uneven[n]) : Complex(0.0);
+    }
+    void add(Index i, const Real* velocity) const {
+      Real square = Real(0);
+      for (int d = 0; d < Dim; ++d) square += velocity[d] * velocity[d];
+      const Real speed = std::sqrt(square);
+      const Real part = speed > fastest ? fastest / speed : Real(1);
+      for (int d = 0; d < Dim; ++d) shift(d, i) += part * velocity[d];
+    }
+  };
+
+  Spreading find_spreading(const PassContext& context) {
+    uneven_.resize(spectrum_.mode_count());
+    spectrum_.unevenness(uneven_.data());
     const double step = context.step_size();
     double rate = numerics_.shift * mean_gradient_;
     if (step > 0.0) rate = std::min(rate, 0.5 / step);
     const double fastest = step > 0.0 ? farthest_shift * spacing_ / step : 0.0;
-    const auto shift = context.write<Real>("shift_velocity");
-    const auto most = static_cast<Real>(fastest);
-    spectrum_.template evaluate<Dim>(
-        [&](std::size_t n, const WaveVector& k, Complex* modes) {
-          const double square = Kept::square(k);
-          for (int d = 0; d < Dim; ++d)
-            modes[d] = square > 0.0 ? mesh::derivative(-rate * k[d] / square, uneven[n]) : Complex(0.0);
-        },
-        [&](Index i, const Real* there) {
-          Real square = Real(0);
-          for (int d = 0; d < Dim; ++d) square += there[d] * there[d];
-          const Real speed = std::sqrt(square);
-          const Real part = speed > most ? most / speed : Real(1);
-          for (int d = 0; d < Dim; ++d) shift(d, i) += part * there[d];
-        });
+    return {rate, static_cast<Real>(fastest), uneven_.data(), context.write<Real>("shift_velocity")};
   }
 
- private:
   static constexpr int gradients = gradient_elements<Dim>;
 
   void locate(const PassContext& context) {
@@ -256,6 +276,7 @@ class MeshFlow {
   std::array<double, Dim> located_from_{};
   std::array<std::vector<Complex>, Dim> midpoint_;  // the velocity
   std::array<std::vector<Complex>, Dim> work_;
+  std::vector<Complex> uneven_;
   std::vector<double> row_sums_;
   double mean_gradient_ = 0.0;  // 1/s
 };

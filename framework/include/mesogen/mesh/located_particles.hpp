@@ -7,7 +7,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <utility>
 #include <vector>
 
 #include "mesogen/fields/field_view.hpp"
@@ -55,27 +54,33 @@ class LocatedParticles {
 #pragma omp single
       next_.resize(static_cast<std::size_t>(omp_get_num_threads()));
       std::vector<Index>& own = next_[thread];
-      own.assign(rows, 0);
+      // Counted in turns in two places: neighbours in storage are mostly of one row, and the processor would wait for
+      // one count to be stored before it can load it for the next.
+      own.assign(2 * rows, 0);
 #pragma omp for schedule(static)
       for (Index i = 0; i < count; ++i) {
         int row = 0;
         for (int d = last; d > 0; --d)
           row = row * grid_.points[d] + first_point(d, std::floor(in_cells(d, position[d][i])));
         row_of_[static_cast<std::size_t>(i)] = row;
-        ++own[static_cast<std::size_t>(row)];
+        ++own[static_cast<std::size_t>(2 * row + i % 2)];
       }
 #pragma omp single
       {
         Index total = 0;
         for (std::size_t row = 0; row < rows; ++row) {
           begin_[row] = total;
-          for (auto& of_thread : next_) total += std::exchange(of_thread[row], total);
+          for (auto& of_thread : next_) {
+            const Index of_row = of_thread[2 * row] + of_thread[2 * row + 1];
+            of_thread[2 * row] = total;
+            total += of_row;
+          }
         }
         begin_[rows] = total;
       }
 #pragma omp for schedule(static)
       for (Index i = 0; i < count; ++i) {
-        const Index to = own[static_cast<std::size_t>(row_of_[static_cast<std::size_t>(i)])]++;
+        const Index to = own[static_cast<std::size_t>(2 * row_of_[static_cast<std::size_t>(i)])]++;
         located_[static_cast<std::size_t>(to)] = place(position, i);
       }
     }
@@ -87,10 +92,11 @@ class LocatedParticles {
 
   /// The first of the four points that a coordinate uses along an axis: the one below its cell.
   [[nodiscard]] int first_point(int d, double cell) const {
-    if (cell >= 1.0 && cell <= grid_.points[d]) return static_cast<int>(cell) - 1;
     const std::int64_t points = grid_.points[d];
-    const std::int64_t first = (static_cast<std::int64_t>(cell) - 1) % points;
-    return static_cast<int>(first < 0 ? first + points : first);
+    std::int64_t first = static_cast<std::int64_t>(cell) - 1;
+    if (first < 0) first += points;  // division takes long, and hardly a particle is more than one box away
+    if (first < 0 || first >= points) first = (first % points + points) % points;
+    return static_cast<int>(first);
   }
 
   [[nodiscard]] Located place(const std::array<const double*, Dim>& position, Index i) const {
@@ -110,7 +116,7 @@ class LocatedParticles {
   std::array<double, Dim> origin_{};
   std::vector<Located> located_;          // by row
   std::vector<int> row_of_;               // by particle
-  std::vector<std::vector<Index>> next_;  // by thread and row: place of its next particle
+  std::vector<std::vector<Index>> next_;  // by thread, at twice the row: place of its next particle
   std::vector<Index> begin_;              // of each row's particles in located_, and one more
 };
 
