@@ -82,6 +82,11 @@ Pass& Pass::advances_what_is_kept() {
   return *this;
 }
 
+Pass& Pass::conserves_momentum() {
+  no_net_force = true;
+  return *this;
+}
+
 Pass& Pass::run(std::function<void(const PassContext&)> function) {
   body = std::move(function);
   return *this;

@@ -41,7 +41,8 @@ Stepper::Stepper(Setup& setup)
       integrator_(*state_, setup.catalogue, setup.graph->transport(), time_scheme(setup.source.time.scheme), stages_),
       control_(setup.scene, setup.limits, setup.source.time.step, setup.source.time.factor),
       guard_(*state_, setup.catalogue, *setup.graph, integrator_, control_),
-      watches_(setup, *state_, integrator_) {}
+      watches_(setup, *state_, integrator_),
+      momentum_(setup, *state_) {}
 
 void Stepper::start() {
   state_->step_size = 0.0;
@@ -50,6 +51,7 @@ void Stepper::start() {
   for (const Phase phase : {Phase::begin, Phase::rates}) executor_.run(phase, all);
   integrator_.start();
   executor_.run(Phase::end, all);
+  momentum_.start();
   motion_.fastest = integrator_.fastest();
   motion_.largest_acceleration = integrator_.largest_acceleration();
 }
@@ -99,6 +101,9 @@ void Stepper::advance(const Step& step, const std::vector<bool>& reader_due) {
   state_->time = step.arrival;
   ++state_->step;
   timed(guarding_, [&] { guard_.check(motion_); });
+  timed(integration_, [&] {
+    if (momentum_.keep()) motion_.fastest = integrator_.fastest();
+  });
   changes_ = watches_.look();
   if (!changes_.empty()) ask_limits();
   executor_.run(Phase::end, reader_due);
@@ -127,10 +132,12 @@ void Stepper::save(Checkpoint& checkpoint) {
   save_state(setup_, *state_, checkpoint);
   // The next step goes by it. What it was found in is not always saved: a rate is, if its field is predicted by it.
   checkpoint.numbers[acceleration_name] = {motion_.largest_acceleration};
+  momentum_.save(checkpoint);
 }
 
 void Stepper::restore(const Checkpoint& checkpoint) {
   restore_state(setup_, checkpoint, *state_);
+  momentum_.restore(checkpoint);
   whole_.runs = state_->step;
   ask_limits();
   motion_.fastest = integrator_.fastest();

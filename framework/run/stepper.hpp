@@ -7,6 +7,7 @@
 #include "mesogen/export.hpp"
 #include "output/checkpoint.hpp"
 #include "run/guard.hpp"
+#include "run/kept_momentum.hpp"
 #include "run/setup.hpp"
 #include "run/watches.hpp"
 #include "schedule/derived_fields.hpp"
@@ -71,6 +72,7 @@ class MESOGEN_EXPORT Stepper {
   StepControl control_;
   Guard guard_;
   Watches watches_;
+  KeptMomentum momentum_;
   std::vector<std::string> changes_;
   Motion motion_;
   Counter whole_{"framework: step"};

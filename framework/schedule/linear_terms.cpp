@@ -61,6 +61,7 @@ Pass linear_pass(const LinearTerms& terms, const Catalogue& catalogue, const Bac
               : terms.diffusion == 0.0 ? "damping of " + terms.field
                                        : "diffusion and damping of " + terms.field;
   pass.reads({terms.field}).accumulates({terms.rate});
+  if (terms.damping == 0.0) pass.conserves_momentum();
   if (terms.diffusion > 0.0) pass.reads({terms.field + "_laplacian"});
   if (!terms.divisor.empty()) pass.reads({terms.divisor});
   const int components = catalogue.components(terms.field);

@@ -116,6 +116,7 @@ void StepGraph::add_linear_terms(const std::vector<Member>& members, const Backe
     Pass pass;
     pass.name = "stages of " + terms.field;
     pass.accumulates({terms.rate}).run([](const PassContext&) {});
+    if (terms.damping == 0.0) pass.conserves_momentum();
     add_own(terms.owner, std::move(pass));
   }
 }

@@ -5,13 +5,24 @@
 
 namespace mesogen::sph {
 
+namespace {
+
+/// t^n; std::pow takes ten times as long for a small whole number.
+double raised(double t, int n) {
+  double product = 1.0;
+  for (; n > 0; --n) product *= t;
+  return product;
+}
+
+}  // namespace
+
 double KernelShape::support() const { return pieces.empty() ? 0.0 : pieces.front().knot; }
 
 double KernelShape::value(double q) const {
   double total = 0.0;
   for (const auto& piece : pieces) {
     const double t = std::max(0.0, piece.knot - q);
-    double p = std::pow(t, power);
+    double p = raised(t, power);
     for (const double c : piece.coefficients) {
       total += c * p;
       p *= t;
@@ -25,7 +36,7 @@ double KernelShape::derivative(double q) const {
   for (const auto& piece : pieces) {
     if (q >= piece.knot) continue;
     const double t = piece.knot - q;
-    double p = std::pow(t, power - 1);
+    double p = raised(t, power - 1);
     int d = power;
     for (const double c : piece.coefficients) {
       total -= c * d++ * p;
@@ -43,7 +54,7 @@ double KernelShape::normalisation(int dimension) const {
   for (const auto& piece : pieces) {
     int d = power;
     for (const double c : piece.coefficients) {
-      double term = std::pow(piece.knot, d + dimension);
+      double term = raised(piece.knot, d + dimension);
       for (int m = 2; m < dimension; ++m) term *= m;
       for (int m = 1; m <= dimension; ++m) term /= d + m;
       integral += c * term;

@@ -84,7 +84,8 @@ requires(Dim == 2) class ActiveStress final : public Physics {
   void declare(const Scene& scene, PassList& list) override {
     list.numbers(nematics::add_active_numbers);
     list.advice(nematics::advise_on_activity);
-    Pass& pass = list.pass("active stress").accumulates({"acceleration"}).idle_if(activity_ == 0.0);
+    Pass& pass =
+        list.pass("active stress").accumulates({"acceleration"}).conserves_momentum().idle_if(activity_ == 0.0);
     form_ == "conservative" ? in_pairs(scene, pass) : by_gradient(pass);
   }
 

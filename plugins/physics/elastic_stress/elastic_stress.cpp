@@ -109,6 +109,7 @@ requires(Dim == 2) class ElasticStress final : public Physics {
     list.pass("elastic force")
         .reads({"elastic_stress_gradient", "molecular_field", "order_tensor_gradient", "density"})
         .accumulates({"acceleration"})
+        .conserves_momentum()
         .run([](const PassContext& context) {
           exec::for_each(
               context.space(), context.count(),

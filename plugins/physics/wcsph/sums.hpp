@@ -103,8 +103,8 @@ void add_shift(PassList& list, double strength) {
 }
 
 template <class Real, int Dim, bool Radial, PressureForm Form>
-void add_momentum_of_form(PassList& list, const Fluid& fluid) {
-  declare_momentum<Radial, Form>(list.pass(Radial ? "pressure and viscosity" : "pressure"))
+Pass& add_momentum_of_form(PassList& list, const Fluid& fluid) {
+  return declare_momentum<Radial, Form>(list.pass(Radial ? "pressure and viscosity" : "pressure"))
       .run([&fluid](const PassContext& context) {
         sph::pair_sum(context.space(), context.neighbours<Real, Dim>(), context.kernel(),
                       momentum_sums<Real, Dim, Radial, Form>(context, fluid));
@@ -112,13 +112,13 @@ void add_momentum_of_form(PassList& list, const Fluid& fluid) {
 }
 
 template <class Real, int Dim, bool Radial>
-void add_momentum(PassList& list, const Fluid& fluid, PressureForm form) {
+Pass& add_momentum(PassList& list, const Fluid& fluid, PressureForm form) {
   switch (form) {
-    case PressureForm::corrected: return add_momentum_of_form<Real, Dim, Radial, PressureForm::corrected>(list, fluid);
     case PressureForm::difference:
       return add_momentum_of_form<Real, Dim, Radial, PressureForm::difference>(list, fluid);
     case PressureForm::conservative:
       return add_momentum_of_form<Real, Dim, Radial, PressureForm::conservative>(list, fluid);
+    default: return add_momentum_of_form<Real, Dim, Radial, PressureForm::corrected>(list, fluid);
   }
 }
 

@@ -69,13 +69,14 @@ class Wcsph final : public Physics {
     if (delta_ > 0.0 && !together) wcsph::add_density_diffusion<Real, Dim>(list, fluid_, delta_);
     if (shifts && !together) wcsph::add_shift<Real, Dim, false>(list, shift_);
     wcsph::declare_equation_of_state<Real>(list, fluid_, "compression_midpoint", form != PressureForm::difference);
-    together ? all_together(list) : wcsph::add_momentum<Real, Dim, false>(list, fluid_, form);
+    Pass& forces = together ? all_together(list) : wcsph::add_momentum<Real, Dim, false>(list, fluid_, form);
+    forces.conserves_momentum();
     wcsph::declare_internal_energy<Real>(list, fluid_);
     wcsph::declare_faster_sound<Real>(list, fluid_);
   }
 
  private:
-  void all_together(PassList& list) {
+  Pass& all_together(PassList& list) {
     Pass& pass = list.pass("pressure, shift and density diffusion");
     wcsph::declare_shift<false>(pass);
     wcsph::declare_diffusion(pass);
@@ -89,6 +90,7 @@ class Wcsph final : public Physics {
                         {wcsph::momentum_sums<Real, Dim, false, PressureForm::corrected>(context, fluid_),
                          wcsph::diffusion_sums<Real>(context, fluid_.density_diffusivity(delta_))}});
     });
+    return pass;
   }
 
   wcsph::Fluid fluid_;

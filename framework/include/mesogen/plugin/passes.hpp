@@ -133,6 +133,7 @@ struct MESOGEN_EXPORT Pass {
   bool adds_nothing = false;                 ///< see idle_if
   bool at_every_step = false;                ///< see advances_what_is_kept
   bool beside_sums = false;                  ///< see beside_pair_sums
+  bool no_net_force = false;                 ///< see conserves_momentum
   std::function<void(const PassContext&)> body;
 
   Pass& reads(std::initializer_list<std::string_view> fields);
@@ -149,6 +150,10 @@ struct MESOGEN_EXPORT Pass {
   /// needs such sums (observers do not count), and may use the neighbours that are found for that pass. For passes that
   /// accumulate and write nothing.
   Pass& beside_pair_sums();
+  /// What it adds to the acceleration comes from forces between parts of the fluid: over a periodic box they add up to
+  /// nothing, but for errors of sums over neighbours. If all such passes say so, the mean velocity is kept. Not for
+  /// passes that push or brake the fluid from outside.
+  Pass& conserves_momentum();
   Pass& run(std::function<void(const PassContext&)> function);
 };
 

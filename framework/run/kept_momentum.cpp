@@ -1,0 +1,92 @@
+#include "run/kept_momentum.hpp"
+
+#include <algorithm>
+#include <cstddef>
+
+#include "mesogen/exec/dispatch.hpp"
+#include "mesogen/exec/exact_sum.hpp"
+#include "mesogen/exec/for_each.hpp"
+#include "run/state_checkpoint.hpp"
+
+namespace mesogen {
+
+namespace {
+
+// The rest of a few steps is far below what anybody can see, and to look for it at every step would cost one per cent.
+constexpr std::int64_t steps_between = 32;
+
+const std::string name = "mean velocity";  // in checkpoints
+
+bool adds_to(const ScheduledPass& scheduled, const std::string& field) {
+  const auto has = [&](const std::vector<std::string>& list) { return std::ranges::find(list, field) != list.end(); };
+  return !scheduled.pruned() && (has(scheduled.pass.accumulate_list) || has(scheduled.pass.write_list));
+}
+
+}  // namespace
+
+bool conserves_momentum(const Setup& setup) {
+  const std::string& velocity = setup.graph->transport().velocity;
+  const Catalogue::Entry* const entry = velocity.empty() ? nullptr : setup.catalogue.find(velocity);
+  if (entry == nullptr || !has_rate(entry->declaration.advance)) return false;
+  for (int d = 0; d < setup.scene.dimension; ++d)
+    if (!setup.scene.periodic[static_cast<std::size_t>(d)]) return false;
+  const auto conserves = [&](const ScheduledPass& scheduled) {
+    return !adds_to(scheduled, entry->declaration.rate) || scheduled.pass.no_net_force;
+  };
+  return std::ranges::all_of(setup.graph->passes(), conserves);
+}
+
+KeptMomentum::KeptMomentum(const Setup& setup, State& state) : state_(state) {
+  if (conserves_momentum(setup)) velocity_ = &state.fields.at(setup.graph->transport().velocity);
+}
+
+void KeptMomentum::start() {
+  if (velocity_ != nullptr) kept_ = mean();
+}
+
+bool KeptMomentum::keep() {
+  if (velocity_ == nullptr || state_.step % steps_between != 0) return false;
+  std::vector<double> change = mean();
+  for (std::size_t c = 0; c < change.size(); ++c) change[c] = kept_[c] - change[c];
+  dispatch(state_.scene.precision, [&]<class Real>() { add<Real>(change); });
+  ++velocity_->version;
+  return true;
+}
+
+void KeptMomentum::save(Checkpoint& checkpoint) const {
+  if (velocity_ != nullptr) checkpoint.numbers[name] = kept_;
+}
+
+// A run that branched off one with other forces keeps the momentum that it got from there.
+void KeptMomentum::restore(const Checkpoint& checkpoint) {
+  if (velocity_ == nullptr) return;
+  const auto at = checkpoint.numbers.find(name);
+  kept_ = at == checkpoint.numbers.end() ? mean() : at->second;
+}
+
+std::vector<double> KeptMomentum::mean() const {
+  const FieldReader value = velocity_->reader();
+  const Index count = state_.particles.count();
+  std::vector<double> all;
+  for (int c = 0; c < velocity_->components(); ++c) {
+    const auto [sum] = exec::exact_sums<1>(count, [&](Index i, double(&term)[1]) { term[0] = value(c, i); });
+    all.push_back(sum / count);
+  }
+  return all;
+}
+
+template <class Real>
+void KeptMomentum::add(const std::vector<double>& change) {
+  constexpr auto host = exec::Side::host;
+  constexpr auto read_write = exec::Access::read_write;
+  const auto exact = velocity_->master(host, read_write);
+  const auto rounded = velocity_->view<Real>(host, read_write);
+  for (std::size_t n = 0; n < change.size(); ++n)
+    exec::for_each(exec::Space{}, state_.particles.count(), [=, c = static_cast<int>(n), by = change[n]](Index i) {
+      const double value = exact(c, i) + by;
+      exact(c, i) = value;
+      rounded(c, i) = static_cast<Real>(value);
+    });
+}
+
+}  // namespace mesogen
