@@ -228,7 +228,7 @@ class FieldLoopsImpl final : public FieldLoops<Real> {
     });
   }
   Reduction move(const MoveArguments<Real>& arguments, Index count) const override {
-    return compiled_for<2, 3>(arguments.dimension, [&]<int Dim>() {
+    return compiled_for<1, 2, 3>(arguments.dimension, [&]<int Dim>() {
       return find_largest<1>(space_, reductions_, count, Move<Real, Dim>{arguments}, "moving particles");
     });
   }

@@ -44,13 +44,13 @@ void KeptMomentum::start() {
   if (velocity_ != nullptr) kept_ = mean();
 }
 
-bool KeptMomentum::keep() {
-  if (velocity_ == nullptr || state_.step % steps_between != 0) return false;
+bool KeptMomentum::due() const { return velocity_ != nullptr && state_.step % steps_between == 0; }
+
+void KeptMomentum::keep() {
   std::vector<double> change = mean();
   for (std::size_t c = 0; c < change.size(); ++c) change[c] = kept_[c] - change[c];
   dispatch(state_.scene.precision, [&]<class Real>() { add<Real>(change); });
   ++velocity_->version;
-  return true;
 }
 
 void KeptMomentum::save(Checkpoint& checkpoint) const {

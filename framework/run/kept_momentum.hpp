@@ -22,8 +22,9 @@ class KeptMomentum {
 
   /// At the start of a run: takes the mean velocity of now.
   void start();
-  /// After a step. Returns whether velocities have changed.
-  bool keep();
+  /// After a step: is it time to keep() it?
+  [[nodiscard]] bool due() const;
+  void keep();
 
   void save(Checkpoint& checkpoint) const;
   void restore(const Checkpoint& checkpoint);

@@ -101,9 +101,11 @@ void Stepper::advance(const Step& step, const std::vector<bool>& reader_due) {
   state_->time = step.arrival;
   ++state_->step;
   timed(guarding_, [&] { guard_.check(motion_); });
-  timed(integration_, [&] {
-    if (momentum_.keep()) motion_.fastest = integrator_.fastest();
-  });
+  if (momentum_.due())
+    timed(integration_, [&] {
+      momentum_.keep();
+      motion_.fastest = integrator_.fastest();
+    });
   changes_ = watches_.look();
   if (!changes_.empty()) ask_limits();
   executor_.run(Phase::end, reader_due);
