@@ -118,7 +118,7 @@ def main():
     lines += ["", *textwrap.wrap(
         "By itself momentum drifts: sums over neighbours leave a small net force, and a uniform flow grows by chance, as "
         "in the published scheme. It does not change the rest of the flow, but it adds to paths and to v_rms. In a box "
-        "that is periodic along every axis, where no force comes from outside, `wcsph` takes it away every 32 steps.",
+        "that is periodic along every axis, where no force comes from outside, `wcsph` takes it away every 8 steps.",
         120)]
     text = "\n".join(lines) + "\n"
     if options.output:

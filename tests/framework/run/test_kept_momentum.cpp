@@ -38,7 +38,7 @@ class KeptMomentumOf : public testing::TestWithParam<std::tuple<const char*, con
 
 TEST_P(KeptMomentumOf, IsThatOfTheStart) {
   CaseRun run(active(std::get<0>(GetParam()), "periodic_ghosts", std::get<1>(GetParam())));
-  run.run_steps(31);
+  run.run_steps(7);
   EXPECT_GT(std::abs(mean_velocity(run, 0) - 0.25), 1e-9);  // what sums over neighbours leave
   EXPECT_GT(std::abs(mean_velocity(run, 1) + 0.5), 1e-9);
   run.run_steps(1);
@@ -82,13 +82,13 @@ TEST(KeptMomentum, GrowsByAForceFromOutside) {
 
 TEST(KeptMomentum, OfARestoredRunIsThatOfTheStart) {
   CaseRun run(active());
-  run.run_steps(40);
+  run.run_steps(20);
   Checkpoint checkpoint;
   run.stepper().save(checkpoint);
   CaseRun restored = CaseRun::unstarted(active());
   restored.stepper().restore(checkpoint);
-  restored.run_steps(24);
-  run.run_steps(24);
+  restored.run_steps(20);
+  run.run_steps(20);
   EXPECT_EQ(state_of(restored), state_of(run));
   EXPECT_NEAR(mean_velocity(restored, 0), 0.25, 1e-14);
 }
