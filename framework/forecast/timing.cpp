@@ -42,8 +42,9 @@ double median_of(int tries, Action&& action) {
   return all[all.size() / 2];
 }
 
-/// The first steps of a run, each part by itself. None goes beyond the end: a run that ends sooner begins once more, in
-/// steps so short that it does not end again. What a step costs does not depend on its size.
+/// The first steps of a run, each part by itself. None goes beyond the end: a run that ends sooner begins once more. What
+/// an explicit step costs does not depend on its size: it then goes on in steps so short that it does not end again. A
+/// stabilised step takes stages by its size: such a run begins as often as it ends.
 class Rehearsal {
  public:
   Rehearsal(Setup& setup, const std::function<std::unique_ptr<Setup>()>& set_up_again)
@@ -95,6 +96,8 @@ class Rehearsal {
     });
   }
 
+  /// Has it ended so often that it had better be enough?
+  [[nodiscard]] bool ended_often() const { return begun_again_ >= 3; }
   [[nodiscard]] std::size_t readers() const { return setup_->observers.size() + 1; }
   [[nodiscard]] std::int64_t sortings() { return sorted_before_ + stepper_->state().neighbourhood.sortings(); }
   /// Processor time of stepping and of all else, but for beginning again; s.
@@ -124,7 +127,8 @@ class Rehearsal {
     again_ = set_up_again_();
     setup_ = again_.get();
     make_parts();
-    longest_ = end() / (most_steps + 10.0 * static_cast<double>(readers()));
+    ++begun_again_;
+    if (!setup_->scene.stabilised_steps) longest_ = end() / (most_steps + 10.0 * static_cast<double>(readers()));
     start();
     sorted_before_ -= stepper_->state().neighbourhood.sortings();
     cpu_of_beginning_again_ += cpu_seconds() - cpu_before;
@@ -140,6 +144,7 @@ class Rehearsal {
   const std::function<std::unique_ptr<Setup>()>& set_up_again_;
   std::unique_ptr<Stepper> stepper_;
   std::unique_ptr<Observation> observation_;
+  int begun_again_ = 0;
   std::int64_t sorted_before_ = 0;
   double cpu_of_beginning_again_ = 0.0;
   double longest_ = HUGE_VAL;  // of steps, s
@@ -171,7 +176,8 @@ TimeForecast forecast_time(Setup& setup, const std::function<std::unique_ptr<Set
   const std::int64_t sorted = run.sortings();
   double stepping = 0.0;
   const double cpu_before = run.cpu();
-  while (time.timed_steps < fewest_steps || (stepping < budget && time.timed_steps < most_steps)) {
+  while (time.timed_steps < fewest_steps ||
+         (stepping < budget && time.timed_steps < most_steps && !run.ended_often())) {
     stepping += run.step();
     ++time.timed_steps;
   }
