@@ -27,7 +27,7 @@ BASE = {
     "physics.nematic": 'type = "beris_edwards"\nrotational_diffusivity = 0.4\nflow_alignment = 0.7\n'
                        "elastic_constant = 0.02\nbulk = {{ A = -1.0, C = 0.5 }}",
     "physics.activity": 'type = "active_stress"\nactivity = 0.023',
-    "time": "end = 1.0",
+    "time": "end = 100.0",
     "run": 'precision = "single"',
 }
 PLAIN_KERNEL = 'type = "wendland_{}"\nsmoothing_length = 2.0'
@@ -44,6 +44,9 @@ shift = 0.3
 # What is changed: sections without, sections in place or beside, or lines added to a section.
 VARIANTS = [
     ("the full model: flow, nematic, activity", [], {}, {}),
+    ("explicit steps", [], {}, {"time": 'stepping = "explicit"'}),
+    ("incompressible flow", [],
+     {"physics.flow": 'type = "incompressible"\ndensity = 1.0\nviscosity = 0.6666666666666667'}, {}),
     ("without activity", ["physics.activity"], {}, {}),
     ("without the nematic: a plain fluid", ["physics.activity", "physics.nematic", "director"], {}, {}),
     ("without flow: the nematic alone", ["physics.activity", "physics.flow"], {}, {}),

@@ -6,10 +6,9 @@
 
 Runs cases/accuracy/benchmark to 40 s at each resolution. Error: of v_rms at 20, 30, 40 s, root mean square, relative.
 Cost: processor time of stepping, s; with more threads the wall time of Mesogen's, beside the one core of the grid.
-Weakly compressible SPH at the large resolutions is not run: its cost is what `mesogen check` measures a step times the
-steps. Writes CHARTS.csv and CHARTS.png, prints the table. The build needs the benchmarks (scripts/setup all), or
-give the program: --finite-volume. Some 8 minutes on a free core; --quick, ten seconds,
-shows whether all works.
+Explicit steps at the large resolutions are not run: their cost is what `mesogen check` measures a step times the
+steps. Writes CHARTS.csv and CHARTS.png, prints the table. The build needs the benchmarks (scripts/setup all), or give
+the program: --finite-volume. Some 8 minutes on a free core; --quick, ten seconds, shows whether all works.
 """
 
 import argparse
@@ -39,7 +38,9 @@ LENGTH, END = 10.0, 40.0  # m, s
 V_RMS = {20.0: 0.0237170, 30.0: 0.0462153, 40.0: 0.0756664}  # m/s, of cases/accuracy/benchmark/answer.toml
 LONG = 20.0  # s: a run that takes as long is not repeated
 
-FLOWS = {"WCSPH": "wcsph", "incompressible": "incompressible"}
+WCSPH, EXPLICIT = ["physics.flow.type=wcsph"], "WCSPH, explicit steps"
+FLOWS = {"WCSPH": WCSPH, EXPLICIT: [*WCSPH, "time.stepping=explicit"],
+         "incompressible": ["physics.flow.type=incompressible"]}
 # Euler's steps are a tenth of the stable ones, so that their error is no more than that of 64 cells.
 GRIDS = {"finite volume (multigrid)": ["--pressure", "multigrid"],
          "finite volume (FFT)": ["--pressure", "fft"],
@@ -77,11 +78,16 @@ def run_grid(program, variant, across):
                   cost["pressure_share"], cost["diffusion_share"])
 
 
+def settings(variant, across):
+    """Words of the command."""
+    changes = [*FLOWS[variant], f"particles.spacing={LENGTH / across!r}", f"time.end={END}"]
+    return [word for one in changes for word in ("--set", one)]
+
+
 def run_flow(mesogen, variant, across, threads):
-    settings = [f"physics.flow.type={FLOWS[variant]}", f"particles.spacing={LENGTH / across!r}", f"time.end={END}"]
     with tempfile.TemporaryDirectory(prefix="mesogen-") as folder:
         call([mesogen, "run", CASE, "--quiet", "--threads", threads, "--output", os.path.join(folder, "run"),
-              *[word for one in settings for word in ("--set", one)]], folder)
+              *settings(variant, across)], folder)
         with results.open(os.path.join(folder, "run")) as run:
             times, values = run.series("flow", "v_rms")
             cost = run.cost
@@ -93,9 +99,8 @@ def run_flow(mesogen, variant, across, threads):
 
 def check_flow(mesogen, variant, across, threads):
     with tempfile.TemporaryDirectory(prefix="mesogen-") as folder:
-        told = json.loads(call([mesogen, "check", CASE, "--json", "--threads", threads,
-                                "--set", f"physics.flow.type={FLOWS[variant]}",
-                                "--set", f"particles.spacing={LENGTH / across!r}", "--set", f"time.end={END}"], folder))
+        told = json.loads(call([mesogen, "check", CASE, "--json", "--threads", threads, *settings(variant, across)],
+                               folder))
     steps = told["steps"]["steps_at_least"]
     return Result(variant, across, told["time"]["step"] * steps, steps, source="check")
 
@@ -118,7 +123,7 @@ def measure(options, program):
             tell(f"{variant}, {across} x {across}")
             if variant in GRIDS:
                 found.append(median_of(lambda: run_grid(program, variant, across), options.repeats))
-            elif across in options.large and variant == "WCSPH":
+            elif across in options.large and variant == EXPLICIT:
                 found.append(median_of(lambda: check_flow(mesogen, variant, across, options.threads), 1))
             else:
                 found.append(median_of(lambda: run_flow(mesogen, variant, across, options.threads), options.repeats))
@@ -242,7 +247,8 @@ def main():
     parser.add_argument("--build", type=pathlib.Path, default=PROJECT / "build" / "release")
     parser.add_argument("--finite-volume", type=pathlib.Path, help="program (default: the build's, for this processor)")
     parser.add_argument("--across", type=numbers, default=[16, 24, 32, 48, 64, 96], help="where all is run")
-    parser.add_argument("--large", type=numbers, default=[128, 192, 256, 512], help="at which WCSPH is predicted")
+    parser.add_argument("--large", type=numbers, default=[128, 192, 256, 512],
+                        help="at which explicit steps are predicted")
     parser.add_argument("--threads", type=int, default=1, help="of Mesogen; the grid has one")
     parser.add_argument("--repeats", type=int, default=3)
     parser.add_argument("--charts", type=pathlib.Path, default=PROJECT / "docs" / "performance" / "rival")

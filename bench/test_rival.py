@@ -53,7 +53,7 @@ class Output(unittest.TestCase):
         lines = [" ".join(line.split()) for line in text.splitlines()]
         self.assertIn("| WCSPH | 128 | | 512 (predicted) | 6400 | | |", lines)
         self.assertIn(f"| {RIVAL} | 32 | 2.5 % | 2 | 256 | 25 % | 50 % |", lines)
-        self.assertIn("| 64 | 0.125 | > 16 | | |", lines)
+        self.assertIn("| 64 | 0.125 | > 16 | | | | |", lines)
         self.assertIn("Mesogen with 2 threads", rival.page(FOUND, 2, "", ""))
 
     def test_files(self):

@@ -36,6 +36,7 @@ class TemplateNamePlugin final : public Physics {
 
   // A force -c u, or diffusion of a field, needs no pass: list.damping() and list.diffusion(), see
   // plugins/physics/friction. Any other force that grows with velocity or gradients limits the step: list.step_limit().
+  // A force between parts of the fluid, such as the divergence of a stress, is declared with .conserves_momentum().
   // What other plugins should know goes into publish().
   //
   // Checkpoints save fields that are advanced in time. If a pass changes numbers of its own and needs them at the next
