@@ -38,6 +38,7 @@ def chart(options):
     if problem := foreign(folder, lambda names: "runs.csv" in names or ".lock" in names):
         raise StudyError(problem)
     if options.list:
+        module.check_variants(study, options.mesogen)
         module.list_runs(study, folder, options.mesogen, print)
         return
     if not options.draw_only:
