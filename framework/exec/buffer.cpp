@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <cstring>
-#include <new>
 #include <utility>
+
+#include "exec/large_pages.hpp"
 
 namespace mesogen::exec {
 
@@ -29,7 +30,7 @@ Buffer& Buffer::operator=(const Buffer& other) {
 Buffer::~Buffer() { release(); }
 
 void Buffer::release() noexcept {
-  ::operator delete(host_);
+  release_large(host_);
   if (memory_ != nullptr) memory_->release(device_, capacity_);
   host_ = device_ = nullptr;
 }
@@ -71,7 +72,7 @@ void Buffer::resize_for_overwrite(std::size_t bytes) {
     const std::size_t room = room_for(bytes, capacity_);
     release();
     bytes_ = capacity_ = 0;  // if there is no room now
-    if (memory_ == nullptr) host_ = ::operator new(room);
+    if (memory_ == nullptr) host_ = allocate_large(room);
     capacity_ = room;
   }
   bytes_ = bytes;
@@ -95,7 +96,7 @@ void Buffer::copy(const Buffer& from, std::size_t first, std::size_t bytes, std:
 void Buffer::make_room(Side side) const {
   void*& place = side == Side::host ? host_ : device_;
   if (place != nullptr || capacity_ == 0) return;
-  place = side == Side::host ? ::operator new(capacity_) : memory_->allocate(capacity_);
+  place = side == Side::host ? allocate_large(capacity_) : memory_->allocate(capacity_);
   memory_->mark_stale(place, capacity_);
 }
 

@@ -25,47 +25,44 @@ class Search {
     std::fill_n(beyond_ + lanes, lanes, std::numeric_limits<Real>::infinity());
   }
 
-  /// action(block) for the blocks around a point, relative to its tile, whose neighbours lie in these segments, each of
-  /// one run.
-  template <class Action>
-  void find(const Real (&point)[Dim], const Segment<Real, Dim>* segments, int count, const Action& action) const {
+  // Blocks are written where they stay: to copy one whose bytes were just written, the processor has to wait for them.
+
+  /// Appends the blocks around a point, relative to its tile, whose neighbours lie in these segments, each of one run.
+  void find(const Real (&point)[Dim], const Segment<Real, Dim>* segments, int count,
+            std::vector<NeighbourBlock>& found) const {
     for (int s = 0; s < count; ++s) {
       auto [first, end] = within_reach(point, segments[s]);
-      while (first < end) action(begun(segments[s], first, end));
+      while (first < end) begin_block(segments[s], first, end, found.emplace_back());
     }
   }
 
   /// The same with two runs a block wherever its lanes are not all taken by one.
-  template <class Action>
   void find_by_two(const Real (&point)[Dim], const Segment<Real, Dim>* segments, int count,
-                   const Action& action) const {
-    NeighbourBlock block{};  // of one run, and with lanes free, unless it has none
+                   std::vector<NeighbourBlock>& found) const {
+    NeighbourBlock* open = nullptr;  // the last, if it has one run and lanes free
     for (int s = 0; s < count; ++s) {
       auto [first, end] = within_reach(point, segments[s]);
-      if (first < end && block.lanes > 0 && segments[s].shift[0] == block.shift[0]) {
-        add_second(segments[s], first, end, block);
-        action(std::exchange(block, {}));
+      if (first < end && open != nullptr && segments[s].shift[0] == open->shift[0]) {
+        add_second(segments[s], first, end, *open);
+        open = nullptr;
       }
       while (first < end) {
-        if (block.lanes > 0) action(block);
-        block = begun(segments[s], first, end);
-        if (block.lanes == width) action(std::exchange(block, {}));
+        NeighbourBlock& block = found.emplace_back();
+        begin_block(segments[s], first, end, block);
+        open = block.lanes < width ? &block : nullptr;
       }
     }
-    if (block.lanes > 0) action(block);
   }
 
  private:
   static constexpr Index width = NeighbourBlock::width<Real>;
 
-  /// A block of as much of the run [first, end) as it holds; `first` moves behind that.
-  static NeighbourBlock begun(const Segment<Real, Dim>& segment, Index& first, Index end) {
-    NeighbourBlock block{};
+  /// Puts as much of the run [first, end) as it holds into a block; `first` moves behind that.
+  static void begin_block(const Segment<Real, Dim>& segment, Index& first, Index end, NeighbourBlock& block) {
     block.first = block.second = first;
     block.lanes = block.split = static_cast<std::int8_t>(std::min(width, end - first));
     for (int d = 0; d < Dim; ++d) block.shift[d] = block.second_shift[d] = static_cast<std::int8_t>(segment.shift[d]);
     first += block.lanes;
-    return block;
   }
   static void add_second(const Segment<Real, Dim>& segment, Index& first, Index end, NeighbourBlock& block) {
     const Index added = std::min(width - block.lanes, end - first);
@@ -144,11 +141,10 @@ void NeighbourBlocks::find(const Neighbours<Real, Dim>& grid, double range) {
         begin[static_cast<std::size_t>(i)] = static_cast<std::int64_t>(found.size());
         Real point[Dim];
         for (int d = 0; d < Dim; ++d) point[d] = grid.local[d][i];
-        const auto keep = [&](const NeighbourBlock& one) { found.push_back(one); };
         if constexpr (by_two<Real>) {
-          search.find_by_two(point, segment, segments, keep);
+          search.find_by_two(point, segment, segments, found);
         } else {
-          search.find(point, segment, segments, keep);
+          search.find(point, segment, segments, found);
         }
       }
     }
@@ -172,7 +168,8 @@ void NeighbourBlocks::find_around(const Neighbours<Real, Dim>& grid, const std::
   const Search<Real, Dim> search(grid, range);
   find_offsets(grid.width, Dim);
   const auto points = static_cast<Index>(cell.size());
-  const auto visit = [&](std::size_t n, const auto& action) {
+  const auto find_blocks = [&](std::size_t n, std::vector<NeighbourBlock>& found) {
+    found.clear();
     int at[Dim];
     Real point[Dim];
     for (int d = 0; d < Dim; ++d) {
@@ -180,21 +177,23 @@ void NeighbourBlocks::find_around(const Neighbours<Real, Dim>& grid, const std::
       point[d] = static_cast<Real>(local[static_cast<std::size_t>(d)][n]);
     }
     Segment<Real, Dim> segment[Neighbours<Real, Dim>::most_segments];
-    search.find(point, segment, grid.segments(at, segment), action);
+    search.find(point, segment, grid.segments(at, segment), found);
   };
   begin.assign(cell.size() + 1, 0);
-#pragma omp parallel for schedule(static)
+  std::vector<NeighbourBlock> found;
+#pragma omp parallel for schedule(static) private(found)
   for (Index n = 0; n < points; ++n) {
     const auto own = static_cast<std::size_t>(n);
-    visit(own, [&](const NeighbourBlock&) { ++begin[own + 1]; });
+    find_blocks(own, found);
+    begin[own + 1] = static_cast<std::int64_t>(found.size());
   }
   std::partial_sum(begin.begin(), begin.end(), begin.begin());
   block.resize(static_cast<std::size_t>(begin.back()));
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) private(found)
   for (Index n = 0; n < points; ++n) {
     const auto own = static_cast<std::size_t>(n);
-    auto next = static_cast<std::size_t>(begin[own]);
-    visit(own, [&](const NeighbourBlock& one) { block[next++] = one; });
+    find_blocks(own, found);
+    std::copy(found.begin(), found.end(), block.begin() + begin[own]);
   }
 }
 

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "exec/large_pages.hpp"
 #include "mesogen/export.hpp"
 #include "mesogen/sph/neighbours.hpp"
 
@@ -12,7 +13,7 @@ namespace mesogen {
 /// The blocks of neighbours of all particles, in the order of storage.
 struct MESOGEN_EXPORT NeighbourBlocks {
   std::vector<std::int64_t> begin;  // of each particle; one more at the end
-  std::vector<NeighbourBlock> block;
+  std::vector<NeighbourBlock, exec::LargePages<NeighbourBlock>> block;
   std::array<std::vector<double>, 3> offset;  // of each shift, m; the same in single precision
   std::array<std::vector<float>, 3> offset_single;
 

@@ -3,6 +3,7 @@
 #include <array>
 #include <vector>
 
+#include "exec/large_pages.hpp"
 #include "particles/field_loops.hpp"
 #include "sph/standard_passes.hpp"
 
@@ -16,8 +17,9 @@ namespace mesogen::sph {
 /// Weights by blocks of neighbours, lane by lane; those of lanes outside the support are zero.
 template <class Real, int Dim>
 struct FixedWeights {
-  std::vector<Real> laplacian;                  ///< 1/m^2; empty: not wanted
-  std::array<std::vector<Real>, Dim> gradient;  ///< 1/m; empty: not wanted
+  using Array = std::vector<Real, exec::LargePages<Real>>;
+  Array laplacian;                  ///< 1/m^2; empty: not wanted
+  std::array<Array, Dim> gradient;  ///< 1/m; empty: not wanted
 };
 
 /// Which weights are wanted.
