@@ -140,6 +140,7 @@ Reduction find_largest(const Space& space, Reductions& reductions, Index count, 
     Maxima<Count> own;
     stealing.take([&](Index block) {
       Maxima<Count> of_block = own;
+      MESOGEN_TURNS_ARE_INDEPENDENT
       for (Index i = blocks.begin(block), end = blocks.end(block); i < end; ++i) copy(i, of_block);
       own = of_block;
     });

@@ -13,6 +13,7 @@
 #include "forecast/memory.hpp"
 #include "output/checkpoint_file.hpp"
 #include "output/frame.hpp"
+#include "run/marks_of.hpp"
 #include "run/observation.hpp"
 #include "run/stepper.hpp"
 
@@ -42,9 +43,9 @@ double median_of(int tries, Action&& action) {
   return all[all.size() / 2];
 }
 
-/// The first steps of a run, each part by itself. None goes beyond the end: a run that ends sooner begins once more. What
-/// an explicit step costs does not depend on its size: it then goes on in steps so short that it does not end again. A
-/// stabilised step takes stages by its size: such a run begins as often as it ends.
+/// The first steps of a run, each part by itself. None goes beyond the end: a run that ends sooner begins once more.
+/// What an explicit step costs does not depend on its size: it then goes on in steps so short that it does not end
+/// again. A stabilised step takes stages by its size: such a run begins as often as it ends.
 class Rehearsal {
  public:
   Rehearsal(Setup& setup, const std::function<std::unique_ptr<Setup>()>& set_up_again)
@@ -63,7 +64,10 @@ class Rehearsal {
     if (stepper_->state().time >= end()) begin_again();
     return seconds([&] {
       const double now = stepper_->state().time;
-      stepper_->advance(stepper_->next_step(std::min(end(), now + longest_)), due);
+      // As in the run, where steps end on the marks: shorter ones take fewer stages.
+      stepper_->advance(setup_->scene.stabilised_steps ? stepper_->next_step(marks_of(*setup_), end())
+                                                       : stepper_->next_step(std::min(end(), now + longest_)),
+                        due);
       observe(due);
       stepper_->state().backend.finish();
     });

@@ -5,7 +5,7 @@
 #include "exec/reductions.hpp"
 #include "particles/field_loops.hpp"
 
-/// The loops over fields, compiled twice: by g++ for the host, by nvcc for CUDA.
+/// The loops over fields, compiled by g++ for the host, for each instruction set, and by nvcc for CUDA.
 namespace mesogen::exec {
 
 /// Calls action<n>(), compiled for each of the numbers that n may be: a loop with a number of components that the
@@ -57,14 +57,14 @@ struct Move {
   }
 };
 
-template <class Real, int Dim>
+template <class Real, int Dim, bool ToMidpoint>
 struct MoveByPasses {
   MoveByPassesArguments<Real> m;
 
   MESOGEN_HOST_DEVICE void operator()(Index i, Maxima<1>& nowhere) const {
     for (int d = 0; d < Dim; ++d) {
       double by = 0.0;
-      if (m.to_midpoint) {
+      if constexpr (ToMidpoint) {
         by = m.step_size / 2.0 * static_cast<double>(m.velocity(d, i));
         m.way(d, i) = by;
       } else {
@@ -127,10 +127,10 @@ struct LengthOutside {
   Real lowest, highest;
 
   MESOGEN_HOST_DEVICE void operator()(Index i, Maxima<1>& outside) const {
+    const Real least = lowest > Real(0) ? lowest * lowest : Real(0);
     Real square(0);
     for (int c = 0; c < Components; ++c) square += field(c, i) * field(c, i);
-    const bool long_enough = !(lowest > Real(0)) || square >= lowest * lowest;
-    outside.raise(0, square <= highest * highest && long_enough ? 0.0 : 1.0);
+    outside.raise(0, square <= highest * highest ? (square >= least ? 0.0 : 1.0) : 1.0);
   }
 };
 
@@ -234,7 +234,10 @@ class FieldLoopsImpl final : public FieldLoops<Real> {
   }
   Reduction move(const MoveByPassesArguments<Real>& arguments, Index count) const override {
     return compiled_for<2, 3>(arguments.dimension, [&]<int Dim>() {
-      return find_largest<1>(space_, reductions_, count, MoveByPasses<Real, Dim>{arguments}, "moving particles");
+      if (arguments.to_midpoint)
+        return find_largest<1>(space_, reductions_, count, MoveByPasses<Real, Dim, true>{arguments},
+                               "moving particles");
+      return find_largest<1>(space_, reductions_, count, MoveByPasses<Real, Dim, false>{arguments}, "moving particles");
     });
   }
   Reduction largest_square(FieldView<const Real> field, int components, Index count) const override {

@@ -12,7 +12,7 @@ namespace mesogen {
 
 namespace {
 
-// The rest of a few steps is far below what anybody can see, and to look for it at every step would cost two per cent.
+// What a few steps leave is far below what anybody can see, and to look for it at every step would cost two per cent.
 constexpr std::int64_t steps_between = 8;
 
 const std::string name = "mean velocity";  // in checkpoints

@@ -25,7 +25,6 @@ Pass advection_pass(const FieldDeclaration& field, const Transport& transport, c
   pass.name = "advection of " + field.name;
   pass.reads({field.name + "_gradient", transport.relative()})
       .accumulates({field.rate})
-      .conserves_momentum()
       .run([=, &backend](const auto& context) {
         dispatch(context.scene().precision, [&]<class Real>() { advect<Real>(context, backend, field, transport); });
       });

@@ -72,7 +72,7 @@ requires(Dim == 2) class ActiveStress final : public Physics {
         .choices({"corrected", "conservative"})
         .doc(
             "how the divergence of Q is summed. corrected: exact for linear Q; conservative: opposite forces on two "
-            "particles, so momentum does not drift");
+            "particles, so they add no momentum");
   }
 
   void publish(Scene& scene) const override {

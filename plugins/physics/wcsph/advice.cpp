@@ -59,8 +59,8 @@ void advise_on_sound(const FlowChoice& flow, const AdviceContext& context, std::
 }
 
 // An incompressible flow, where what sound and viscosity allow is far below what motion and the rest of the physics
-// need, or where viscosity is taken in stages: a step without them, and without sums over pairs, is always cheaper.
-// With keys of its own the case asks for this plugin.
+// need, or where viscosity is taken in stages: a step without them, and without sums over pairs, is cheaper. With keys
+// of its own the case asks for this plugin.
 void advise_on_another_flow(const FlowChoice& flow, const AdviceContext& context, std::vector<Suggestion>& list) {
   const Scene& scene = context.scene;
   for (int d = 0; d < scene.dimension; ++d)

@@ -26,7 +26,7 @@ class Wcsph final : public Physics {
         .doc(
             "corrected: sum of both particles' pressures with the corrected gradient, which evens particles out; "
             "difference: exact for linear pressures, so that a uniform pressure moves nothing, but short kernels fail "
-            "earlier; conservative: opposite forces on two particles, so momentum does not drift");
+            "earlier; conservative: opposite forces on two particles, so they add no momentum");
     list.number_or("density_diffusion", diffusion_, "auto")
         .unit("1")
         .at_least(0)

@@ -19,8 +19,11 @@ TEST(LargePages, HoldWhatIsWritten) {
   }
 }
 
-TEST(LargePages, RefuseWhatNoMachineHas) {
-  EXPECT_THROW((void)exec::allocate_large(std::size_t{1} << 60), std::bad_alloc);
+TEST(LargePages, AreAsManyAsAskedFor) {
+  std::vector<float, exec::LargePages<float>> numbers(3 << 20, 1.0F);
+  numbers.resize(std::size_t{4} << 20, 2.0F);
+  EXPECT_EQ(numbers[(3 << 20) - 1], 1.0F);
+  EXPECT_EQ(numbers.back(), 2.0F);
 }
 
 }  // namespace

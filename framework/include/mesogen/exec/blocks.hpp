@@ -4,6 +4,14 @@
 
 #include "mesogen/fields/field_view.hpp"
 
+/// Before a loop over particles: none of its turns reads what another one writes. Without it a compiler would have to
+/// compare all pointers first, and gives up if they are many.
+#if defined(__GNUC__) && !defined(__clang__) && !defined(__CUDACC__)
+#define MESOGEN_TURNS_ARE_INDEPENDENT _Pragma("GCC ivdep")
+#else
+#define MESOGEN_TURNS_ARE_INDEPENDENT
+#endif
+
 namespace mesogen::exec {
 
 /// Loops over fewer particles, with a few operations for each, run on one thread: with several, waiting takes longer.

@@ -53,6 +53,7 @@ void for_each(const Space& space, Index count, const Function& function,
     const Function copy = function;  // what the loop writes cannot change it, so a compiler may keep it in registers
     stealing.take([&](Index block) {
       try {
+        MESOGEN_TURNS_ARE_INDEPENDENT
         for (Index i = blocks.begin(block), end = blocks.end(block); i < end; ++i) copy(i);
       } catch (...) {
         failure.keep();

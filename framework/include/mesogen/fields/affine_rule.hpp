@@ -57,9 +57,9 @@ class AffineRule {
   [[nodiscard]] double& summand(int component) { return summand_[static_cast<std::size_t>(component)]; }
 
   /// Returns the rule for the difference of two values that both follow this rule: without its constants. Where the
-  /// field is curved the difference is held at zero: the Laplacian of what is held has real eigenvalues, that of what is
-  /// curved has not, and stages of a stabilised step would make its waves at a wall grow. What a steady field is does
-  /// not depend on it.
+  /// field is curved the difference is held at zero: the Laplacian of what is held has real eigenvalues, that of what
+  /// is curved has not, and stages of a stabilised step would make its waves at a wall grow. A steady field is the same
+  /// either way: its difference is zero.
   [[nodiscard]] AffineRule of_differences() const {
     AffineRule rule = *this;
     rule.curved_ = false;
