@@ -153,8 +153,8 @@ struct MESOGEN_EXPORT Pass {
   /// What it adds to the acceleration comes from forces between parts of the fluid, such as the divergence of a stress:
   /// over a periodic box they add up to nothing, but for errors of sums over neighbours. If all passes that add to the
   /// acceleration say so, and the box is periodic along every axis, the framework brings the mean velocity of the
-  /// particles back to that of the start every few steps. One pass that does not say so, because it pushes or brakes the
-  /// fluid from outside, is enough to leave the mean velocity alone. PassList::diffusion of the velocity counts as
+  /// particles back to that of the start every few steps. One pass that does not say so, because it pushes or brakes
+  /// the fluid from outside, is enough to leave the mean velocity alone. PassList::diffusion of the velocity counts as
   /// conserving, PassList::damping does not.
   Pass& conserves_momentum();
   Pass& run(std::function<void(const PassContext&)> function);
