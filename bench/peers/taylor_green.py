@@ -22,7 +22,7 @@ PROJECT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(PROJECT / "python"))
 
 import mesogen  # noqa: E402
-from mesogen.study.drawing import look  # noqa: E402
+from mesogen.charts.drawing import look  # noqa: E402
 
 END = 0.4  # s
 EXACT = math.sqrt(0.5) * math.exp(-8.0 * math.pi**2 * 0.01 * END)  # m/s

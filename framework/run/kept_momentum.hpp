@@ -14,9 +14,9 @@ namespace mesogen {
 MESOGEN_EXPORT bool conserves_momentum(const Setup& setup);
 
 /// Keeps the mean velocity of the fluid at that of the start, in scenes whose forces conserve momentum. Forces by
-/// corrected sums over neighbours add up to a little, which would grow into a uniform flow by chance: to a fifth of v_rms
-/// in 100,000 steps of the benchmark. All particles have the same mass, and a uniform flow changes the rest of the flow
-/// in nothing, so it may be taken away.
+/// corrected sums over neighbours add up to a little, which would grow into a uniform flow by chance: to a fifth of
+/// v_rms in 100,000 steps of the benchmark. All particles have the same mass, and a uniform flow changes the rest of
+/// the flow in nothing, so it may be taken away.
 class KeptMomentum {
  public:
   KeptMomentum(const Setup& setup, State& state);
