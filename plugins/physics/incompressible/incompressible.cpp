@@ -99,8 +99,8 @@ requires(Dim == 2) class Incompressible final : public Physics {
         .writes({"velocity", "velocity_gradient", "density"});
     const bool shifts = shift_ > 0.0;
     if (nematic_) {
-      Pass& in_step = list.pass(shifts ? "derivatives of the order tensor, and shift" : "derivatives of the order tensor",
-                                Phase::rates);
+      Pass& in_step = list.pass(
+          shifts ? "derivatives of the order tensor, and shift" : "derivatives of the order tensor", Phase::rates);
       Pass& for_readers = list.pass("derivatives of the order tensor, for readers", Phase::observe);
       for (Pass* const made : {&in_step, &for_readers})
         made->reads({"order_tensor"}).writes({"order_tensor_gradient", "order_tensor_laplacian"});
