@@ -6,7 +6,6 @@
 #include "mesogen/exec/dispatch.hpp"
 #include "mesogen/exec/exact_sum.hpp"
 #include "mesogen/exec/for_each.hpp"
-#include "run/state_checkpoint.hpp"
 
 namespace mesogen {
 
