@@ -63,7 +63,7 @@ class LocatedParticles {
         for (int d = last; d > 0; --d)
           row = row * grid_.points[d] + first_point(d, std::floor(in_cells(d, position[d][i])));
         row_of_[static_cast<std::size_t>(i)] = row;
-        ++own[static_cast<std::size_t>(2 * row + i % 2)];
+        ++own[2 * static_cast<std::size_t>(row) + static_cast<std::size_t>(i % 2)];
       }
 #pragma omp single
       {
@@ -80,7 +80,7 @@ class LocatedParticles {
       }
 #pragma omp for schedule(static)
       for (Index i = 0; i < count; ++i) {
-        const Index to = own[static_cast<std::size_t>(2 * row_of_[static_cast<std::size_t>(i)])]++;
+        const Index to = own[2 * static_cast<std::size_t>(row_of_[static_cast<std::size_t>(i)])]++;
         located_[static_cast<std::size_t>(to)] = place(position, i);
       }
     }
