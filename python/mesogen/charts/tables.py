@@ -1,6 +1,7 @@
 """The tables of an accuracy study: Markdown for people, CSV for programs."""
 
 import math
+import textwrap
 
 from ..runs.ledger import csv_text
 from ..runs.markdown import head_lines, table_lines
@@ -24,10 +25,14 @@ def markdown(study, points, rows):
 def _head(study, rows):
     answer = study.scene.answer
     threads = f"{study.threads} thread{'s' if study.threads != 1 else ''}"
-    return [f"Scene: {answer.title}. {answer.source.strip()}", "", *head_lines(rows),
+    return [*_wrapped(f"Scene: {answer.title}. {answer.source.strip()}"), "", *head_lines(rows), *_wrapped(
             f"With {threads}; medians of {study.repeats} run{'s' if study.repeats != 1 else ''}"
             + (f" for each of {len(study.seeds)} seeds" if study.seeds else "")
-            + ". Error: root mean square of what the answer tells, relative. Wall time is that of stepping."]
+            + ". Error: root mean square of what the answer tells, relative. Wall time is that of stepping.")]
+
+
+def _wrapped(text):
+    return textwrap.wrap(text, 120, break_long_words=False, break_on_hyphens=False)
 
 
 def percent(error):
