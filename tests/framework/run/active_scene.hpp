@@ -7,9 +7,9 @@
 
 namespace mesogen::test {
 
-/// A lively little case in which every part of a step does something: particles cross faces and are sorted anew.
-inline CaseText active_scene(const std::string& precision, const std::string& boundary = "periodic_ghosts",
-                             const std::string& stepping = "explicit") {
+/// A lively little case: particles cross faces and are sorted anew. No force on the fluid is from outside.
+inline CaseText freely_active_scene(const std::string& precision, const std::string& boundary = "periodic_ghosts",
+                                    const std::string& stepping = "explicit") {
   CaseText text(4.0, 20);
   text.section("time", "end = 1e6\nstepping = \"" + stepping + "\"")
       .boundary(boundary)
@@ -19,8 +19,15 @@ inline CaseText active_scene(const std::string& precision, const std::string& bo
       .flow(0.05)
       .nematic(0.4, 0.7, 0.02)
       .active(0.5)
-      .section("physics.elasticity", "type = \"elastic_stress\"")
-      .section("physics.substrate", "type = \"friction\"\ncoefficient = 0.1");
+      .section("physics.elasticity", "type = \"elastic_stress\"");
+  return text;
+}
+
+/// The same with friction: every part of a step does something.
+inline CaseText active_scene(const std::string& precision, const std::string& boundary = "periodic_ghosts",
+                             const std::string& stepping = "explicit") {
+  CaseText text = freely_active_scene(precision, boundary, stepping);
+  text.section("physics.substrate", "type = \"friction\"\ncoefficient = 0.1");
   return text;
 }
 

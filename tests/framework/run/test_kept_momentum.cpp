@@ -13,20 +13,8 @@
 namespace mesogen::test {
 namespace {
 
-CaseText active(const std::string& precision = "double", const std::string& boundary = "periodic_ghosts",
-                const std::string& stepping = "explicit") {
-  CaseText text(4.0, 16);
-  text.section("time", "end = 1e6\nstepping = \"" + stepping + "\"")
-      .boundary(boundary)
-      .precision(precision)
-      .section("particles", "spacing = 0.25\narrangement = \"jittered\"\njitter = 0.2\nseed = 3")
-      .modes("director", "[[1, 0, 0.4, 0.3], [0, 1, 0.3, 1.1], [2, -1, 0.1, 0.7]]")
-      .section("velocity", "type = \"uniform\"\nvalue = [0.25, -0.5]")
-      .flow(0.05)
-      .nematic(0.4, 0.7, 0.02)
-      .active(0.5)
-      .section("physics.elasticity", "type = \"elastic_stress\"");
-  return text;
+CaseText active(const std::string& boundary = "periodic_ghosts", const std::string& stepping = "explicit") {
+  return freely_active_scene("double", boundary, stepping);
 }
 
 double mean_velocity(CaseRun& run, int axis) {
@@ -37,13 +25,13 @@ double mean_velocity(CaseRun& run, int axis) {
 class KeptMomentumOf : public testing::TestWithParam<std::tuple<const char*, const char*>> {};
 
 TEST_P(KeptMomentumOf, IsThatOfTheStart) {
-  CaseRun run(active(std::get<0>(GetParam()), "periodic_ghosts", std::get<1>(GetParam())));
+  CaseRun run(freely_active_scene(std::get<0>(GetParam()), "periodic_ghosts", std::get<1>(GetParam())));
   run.run_steps(7);
-  EXPECT_GT(std::abs(mean_velocity(run, 0) - 0.25), 1e-9);  // what sums over neighbours leave
-  EXPECT_GT(std::abs(mean_velocity(run, 1) + 0.5), 1e-9);
+  EXPECT_GT(std::abs(mean_velocity(run, 0) - 1.0), 1e-9);  // what sums over neighbours leave
+  EXPECT_GT(std::abs(mean_velocity(run, 1) + 0.6), 1e-9);
   run.run_steps(1);
-  EXPECT_NEAR(mean_velocity(run, 0), 0.25, 1e-14);
-  EXPECT_NEAR(mean_velocity(run, 1), -0.5, 1e-14);
+  EXPECT_NEAR(mean_velocity(run, 0), 1.0, 1e-14);
+  EXPECT_NEAR(mean_velocity(run, 1), -0.6, 1e-14);
   // What passes see is the same.
   State& state = run.state();
   if (std::get<0>(GetParam()) == std::string("single")) {
@@ -63,10 +51,10 @@ INSTANTIATE_TEST_SUITE_P(All, KeptMomentumOf,
 TEST(KeptMomentum, IsOfScenesWhoseForcesConserveIt) {
   const auto conserves = [](const CaseText& text) { return conserves_momentum(CaseRun::unstarted(text).setup()); };
   EXPECT_TRUE(conserves(active()));
-  EXPECT_TRUE(conserves(active("double", "periodic_wrap", "stabilised")));
-  EXPECT_FALSE(conserves(active("double", "walls")));
+  EXPECT_TRUE(conserves(active("periodic_wrap", "stabilised")));
+  EXPECT_FALSE(conserves(active("walls")));
   for (const char* const stepping : {"explicit", "stabilised"}) {
-    CaseText braked = active("double", "periodic_ghosts", stepping);
+    CaseText braked = active("periodic_ghosts", stepping);
     EXPECT_FALSE(conserves(braked.section("physics.substrate", "type = \"friction\"\ncoefficient = 0.1")));
   }
   CaseText pushed = active();
@@ -77,7 +65,7 @@ TEST(KeptMomentum, GrowsByAForceFromOutside) {
   CaseText text = active();
   CaseRun run(text.section("physics.drive", "type = \"body_force\"\nforce = [0.1, 0.0]"));
   run.run_steps(64);
-  EXPECT_NEAR(mean_velocity(run, 0), 0.25 + 0.1 * run.time(), 0.05 * 0.1 * run.time());
+  EXPECT_NEAR(mean_velocity(run, 0), 1.0 + 0.1 * run.time(), 0.05 * 0.1 * run.time());
 }
 
 TEST(KeptMomentum, OfARestoredRunIsThatOfTheStart) {
@@ -90,7 +78,7 @@ TEST(KeptMomentum, OfARestoredRunIsThatOfTheStart) {
   restored.run_steps(20);
   run.run_steps(20);
   EXPECT_EQ(state_of(restored), state_of(run));
-  EXPECT_NEAR(mean_velocity(restored, 0), 0.25, 1e-14);
+  EXPECT_NEAR(mean_velocity(restored, 0), 1.0, 1e-14);
 }
 
 // As a branch finds it, whose run was pushed before.
