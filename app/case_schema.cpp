@@ -78,8 +78,8 @@ class SchemaBuilder {
       keys.front().parameter.choices({plugin.name}).doc(plugin.summary);
       keys.insert(keys.end(), plugin.keys.begin(), plugin.keys.end());
       Json condition = {{"type", "object"},
-                        {"properties", {{"type", {{"const", plugin.name}}}}},
-                        {"required", Json::array({"type"})}};
+                        {"properties", {{declared.section.chooser, {{"const", plugin.name}}}}},
+                        {"required", Json::array({declared.section.chooser})}};
       branches.push_back({std::string(to_string(kind)) + "." + plugin.name, condition, keys});
       if (!table_schema(plugin.keys).contains("required")) by_name.push_back(plugin.name);
     }

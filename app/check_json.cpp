@@ -77,6 +77,7 @@ Json plugins_json(const Case& source, const PluginRegistry& registry) {
   Json all = Json::array();
   all.push_back(plugin_json(registry, PluginKind::kernel, source.kernel));
   all.push_back(plugin_json(registry, PluginKind::boundary, source.boundary));
+  for (const auto& choice : source.shapes) all.push_back(plugin_json(registry, PluginKind::shape, choice));
   for (const auto& choice : source.initial) all.push_back(plugin_json(registry, PluginKind::initial, choice));
   for (const auto& choice : source.physics) all.push_back(plugin_json(registry, PluginKind::physics, choice));
   for (const auto& choice : source.observers) all.push_back(plugin_json(registry, PluginKind::observer, choice));

@@ -24,6 +24,7 @@ std::string plugin_text(const PluginRegistry& registry, PluginKind kind, const P
 std::string plugins_text(const Case& source, const PluginRegistry& registry) {
   std::string text = "plugins\n" + plugin_text(registry, PluginKind::kernel, source.kernel) +
                      plugin_text(registry, PluginKind::boundary, source.boundary);
+  for (const auto& choice : source.shapes) text += plugin_text(registry, PluginKind::shape, choice);
   for (const auto& choice : source.initial) text += plugin_text(registry, PluginKind::initial, choice);
   for (const auto& choice : source.physics) text += plugin_text(registry, PluginKind::physics, choice);
   for (const auto& choice : source.observers) text += plugin_text(registry, PluginKind::observer, choice);

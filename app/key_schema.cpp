@@ -21,6 +21,9 @@ class TypeWriter {
     if (parameter_.word.empty()) return number("number");
     return {{"anyOf", {number("number"), {{"const", parameter_.word}}}}};
   }
+  Json operator()(const WordOrNumber*) const {
+    return {{"anyOf", {number("number"), {{"enum", parameter_.word_list}}}}};
+  }
   Json operator()(const std::int64_t*) const { return number("integer"); }
   Json operator()(const bool*) const { return {{"type", "boolean"}}; }
   Json operator()(const std::string*) const { return text(); }

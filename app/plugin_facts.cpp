@@ -25,6 +25,8 @@ void ask(PluginFacts& facts, Kernel& kernel) {
 
 void ask(PluginFacts& facts, Boundary& boundary) { ask_keys(facts, boundary); }
 
+void ask(PluginFacts& facts, Shape& shape) { ask_keys(facts, shape); }
+
 void ask(PluginFacts& facts, Initial& initial) {
   ask_keys(facts, initial);
   InitialPlan plan;
@@ -94,6 +96,7 @@ PluginFacts plugin_facts(const PluginRegistry& registry, const LoadedPlugin& plu
   switch (facts.kind) {
     case PluginKind::kernel: ask(facts, *registry.make_kernel(facts.name, dimension)); break;
     case PluginKind::boundary: ask(facts, *registry.make_boundary(facts.name, dimension)); break;
+    case PluginKind::shape: ask(facts, *registry.make_shape(facts.name, dimension)); break;
     case PluginKind::initial: ask(facts, *registry.make_initial(facts.name, dimension)); break;
     case PluginKind::physics:
       ask(facts, *registry.make_physics(facts.name, Precision::double_precision, dimension), registry);
@@ -119,6 +122,7 @@ std::string_view place_in_case(PluginKind kind) {
   switch (kind) {
     case PluginKind::kernel: return "[kernel]";
     case PluginKind::boundary: return "boundary = { type = ..., ... }";
+    case PluginKind::shape: return "[solids.NAME]";
     case PluginKind::initial: return "a section called after the plugin";
     case PluginKind::physics: return "[physics.NAME]";
     case PluginKind::observer: return "[observers.NAME]";

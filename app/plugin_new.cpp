@@ -65,6 +65,7 @@ std::string use_in_a_case(PluginKind kind, const std::string& name) {
   switch (kind) {
     case PluginKind::kernel: return fmt::format("[kernel]\n    type = \"{}\"", name);
     case PluginKind::boundary: return fmt::format("[domain]\n    boundary = \"{}\"", name);
+    case PluginKind::shape: return fmt::format("[solids.{0}]\n    shape = \"{0}\"\n    centre = [0.5, 0.5]", name);
     case PluginKind::initial: return fmt::format("[{}]\n    speed = 0.1", name);
     case PluginKind::physics: return fmt::format("[physics.{0}]\n    type = \"{0}\"\n    force = 0.1", name);
     case PluginKind::observer: return fmt::format("[observers.{0}]\n    type = \"{0}\"\n    interval = 1.0", name);
@@ -155,7 +156,7 @@ void add_plugin_new(Verb& plugin) {
   const auto options = std::make_shared<Options>();
   Verb& verb = plugin.verb("new", "Write a plugin of your own to start from, with its test",
                            [options] { return write_new(*options); });
-  verb.argument("KIND", &options->kind, "kernel, boundary, initial, physics or observer");
+  verb.argument("KIND", &options->kind, "kernel, boundary, shape, initial, physics or observer");
   verb.argument("NAME", &options->name, "Name of the plugin, for example my_force");
   verb.argument("DIR", &options->folder, "Folder to write it to (default: NAME)", {.required = false});
 }

@@ -79,7 +79,8 @@ void write_section(Page& page, const DeclaredSection& declared) {
   if (section.plugin == PluginKind::initial) return page.line("Its keys are those of the plugin, below.");
   page.keys_table();
   for (const auto& key : keys) page.key(key);
-  if (section.plugin) page.line("\nMore keys: those of the {} that `type` names, below.", to_string(*section.plugin));
+  if (section.plugin)
+    page.line("\nMore keys: those of the {} that `{}` names, below.", to_string(*section.plugin), section.chooser);
 }
 
 /// "(3 - q)_+^5 - 6 (2 - q)_+^5"
@@ -150,6 +151,7 @@ std::string title_of(PluginKind kind) {
   switch (kind) {
     case PluginKind::kernel: return "Kernels";
     case PluginKind::boundary: return "Boundaries";
+    case PluginKind::shape: return "Shapes";
     case PluginKind::initial: return "Initial conditions";
     case PluginKind::physics: return "Physics";
     case PluginKind::observer: return "Observers";

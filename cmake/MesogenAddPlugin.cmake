@@ -1,4 +1,4 @@
-# mesogen_add_plugin(NAME name KIND kernel|boundary|initial|physics|observer SOURCES ... [VECTORISED] [HOST_ONLY]
+# mesogen_add_plugin(NAME name KIND kernel|boundary|shape|initial|physics|observer SOURCES ... [VECTORISED] [HOST_ONLY]
 #                    [TEST source...] [CONTRACT --set KEY=VALUE ...])
 #
 # Builds one plugin library into <build>/plugins and installs it into MESOGEN_PLUGIN_FOLDER: the plugin folder of the
@@ -16,8 +16,8 @@ function(mesogen_add_plugin)
   if(NOT PLUGIN_NAME OR NOT PLUGIN_SOURCES)
     message(FATAL_ERROR "mesogen_add_plugin: NAME and SOURCES are needed")
   endif()
-  if(NOT PLUGIN_KIND MATCHES "^(kernel|boundary|initial|physics|observer)$")
-    message(FATAL_ERROR "mesogen_add_plugin(${PLUGIN_NAME}): KIND is kernel, boundary, initial, physics or observer, not '${PLUGIN_KIND}'")
+  if(NOT PLUGIN_KIND MATCHES "^(kernel|boundary|shape|initial|physics|observer)$")
+    message(FATAL_ERROR "mesogen_add_plugin(${PLUGIN_NAME}): KIND is kernel, boundary, shape, initial, physics or observer, not '${PLUGIN_KIND}'")
   endif()
   if(PLUGIN_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "mesogen_add_plugin(${PLUGIN_NAME}): unknown argument '${PLUGIN_UNPARSED_ARGUMENTS}'")

@@ -110,7 +110,7 @@ void advise_on_order(const AdviceContext& context, std::vector<Suggestion>& list
 void advise_on_activity(const AdviceContext& context, std::vector<Suggestion>& list) {
   const Scene& scene = context.scene;
   const auto fluid = active_fluid(scene.constants);
-  if (!fluid || fluid->activity == 0.0 || !scene.periodic[0] || !scene.periodic[1] || !uniform_director(scene) ||
+  if (!fluid || fluid->activity == 0.0 || !scene.endless() || !uniform_director(scene) ||
       grows(*fluid, scene, fluid->activity))
     return;
   // The threshold lies between `below` and `above`.

@@ -45,7 +45,7 @@ double inertial_time(const Scene& scene) {
 
 void add_instability(const Scene& scene, std::vector<SceneNumber>& list) {
   const auto fluid = active_fluid(scene.constants);
-  if (!fluid || fluid->activity == 0.0 || !scene.periodic[0] || !scene.periodic[1]) return;
+  if (!fluid || fluid->activity == 0.0 || !scene.endless()) return;
   const Wave wave = fastest_wave(*fluid, scene.box, uniform_director(scene));
   if (!(wave.growth_rate > 0.0)) {
     list.push_back({"growth_rate", wave.growth_rate, "1/s", "no wave that fits the box grows: nothing starts to flow"});

@@ -27,6 +27,7 @@ ParameterList parameters_of(PluginKind kind, const std::string& name, const Plug
   switch (kind) {
     case PluginKind::kernel: take(registry.make_kernel(name, dimension)); break;
     case PluginKind::boundary: take(registry.make_boundary(name, dimension)); break;
+    case PluginKind::shape: take(registry.make_shape(name, dimension)); break;
     case PluginKind::initial: take(registry.make_initial(name, dimension)); break;
     case PluginKind::physics: take(registry.make_physics(name, Precision::double_precision, dimension)); break;
     case PluginKind::observer: take(registry.make_observer(name, dimension)); break;
@@ -135,6 +136,7 @@ std::vector<ContractCheck> check_contract(PluginKind kind, std::string_view name
   switch (kind) {
     case PluginKind::kernel: check_kernel(run); break;
     case PluginKind::boundary: check_boundary(run); break;
+    case PluginKind::shape: check_shape(run); break;
     case PluginKind::initial: check_initial(run); break;
     case PluginKind::physics: check_physics(run); break;
     case PluginKind::observer: check_observer(run); break;

@@ -46,6 +46,7 @@ class ContractRun {
 
 void check_kernel(ContractRun& run);
 void check_boundary(ContractRun& run);
+void check_shape(ContractRun& run);
 void check_initial(ContractRun& run);
 void check_physics(ContractRun& run);
 void check_observer(ContractRun& run);

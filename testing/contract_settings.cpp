@@ -46,6 +46,7 @@ const PluginChoice& choice_of(PluginKind kind, const Case& scene) {
   switch (kind) {
     case PluginKind::kernel: return scene.kernel;
     case PluginKind::boundary: return scene.boundary;
+    case PluginKind::shape: return scene.shapes.front();
     case PluginKind::initial: return scene.initial.front();
     case PluginKind::physics: return scene.physics.front();
     case PluginKind::observer: break;
@@ -57,6 +58,7 @@ std::string section_of(PluginKind kind, const std::string& name) {
   switch (kind) {
     case PluginKind::kernel: return "kernel.";
     case PluginKind::boundary: return "domain.boundary.";
+    case PluginKind::shape: return fmt::format("solids.{}.", tested_instance);
     case PluginKind::initial: return name + ".";
     case PluginKind::physics: return fmt::format("physics.{}.", tested_instance);
     case PluginKind::observer: break;

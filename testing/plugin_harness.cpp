@@ -224,6 +224,12 @@ Boundary& PluginHarness::boundary() {
   return *implementation_->run().setup().boundary;
 }
 
+Shape& PluginHarness::shape() {
+  auto* const confined = implementation_->run().setup().confined;
+  implementation_->require(PluginKind::shape, confined != nullptr);
+  return confined->solids().front().shape();
+}
+
 Initial& PluginHarness::initial() {
   auto& members = implementation_->run().setup().initial;
   implementation_->require(PluginKind::initial, !members.empty());

@@ -34,6 +34,7 @@ std::string scene_text(PluginKind kind, std::string_view name, std::string_view 
                       scene.arrangement);
   text += section("kernel", tests_kernel ? name : scene.kernel,
                   fmt::format("smoothing_length = 1.3333333333333333\n{}", tests_kernel ? keys : ""));
+  if (kind == PluginKind::shape) text += fmt::format("[solids.{}]\nshape = \"{}\"\n{}\n", tested_instance, name, keys);
   if (kind == PluginKind::initial) text += fmt::format("[{}]\n{}\n", name, keys);
   text += "[physics]\n";
   if (kind == PluginKind::physics) text += section(fmt::format("physics.{}", tested_instance), name, keys);

@@ -8,7 +8,7 @@
 
 namespace mesogen::testing {
 
-/// Name in the case of the plugin that a harness tests: [physics.tested], [observers.tested].
+/// Name in the case of the plugin that a harness tests: [physics.tested], [observers.tested], [solids.tested].
 inline constexpr std::string_view tested_instance = "tested";
 
 /// The case that puts this plugin into this scene.

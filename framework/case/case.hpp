@@ -40,6 +40,17 @@ struct MESOGEN_EXPORT Case {
   struct Domain {
     std::vector<double> size;  ///< edge lengths, m: one for each dimension of the scene
   };
+  /// What the framework reads of [solids.NAME].
+  struct Solid {
+    std::string fluid = "outside";            ///< on which side of its surface: inside or outside
+    std::vector<double> velocity{0.0, 0.0};   ///< of the surface, m/s
+    double angular_velocity = 0.0;            ///< about the centre of the shape, rad/s
+    WordOrNumber slip{"none"};                ///< none, free, or a length, m
+    std::string anchoring = "none";           ///< none, tangential, normal or angle
+    double angle = 0.0;                       ///< of the director from the tangent, degrees
+    std::optional<double> anchoring_strength; ///< W, N/m; none: strong
+    double order = 1.0;                       ///< order q that the surface prefers
+  };
   struct Particles {
     double spacing = 0.0;                 ///< m
     std::string arrangement = "lattice";  ///< lattice, hexagonal or jittered
@@ -73,6 +84,8 @@ struct MESOGEN_EXPORT Case {
   Domain domain;
   Particles particles;
   PluginChoice boundary;
+  std::vector<PluginChoice> shapes;  ///< of the solids, in the order of the file
+  std::vector<Solid> solids;
   PluginChoice kernel;
   double smoothing_length_ratio = 4.0 / 3.0;  ///< h in particle spacings; key kernel.smoothing_length
   std::string laplacian = "consistent";       ///< or "plain"; key kernel.laplacian

@@ -23,6 +23,7 @@ class CaseReader {
     read_units();
     read_domain();
     read_kernel();
+    read_solids();
     read_particles();
     read_initial();
     read_time_and_output();
@@ -84,6 +85,17 @@ class CaseReader {
 
   void read_particles() { read_keys(section("particles"), case_keys::particles(case_.particles)); }
 
+  void read_solids() {
+    case_.shapes = instances(
+        "solids",
+        {"shape", "fluid", "velocity", "angular_velocity", "slip", "anchoring", "angle", "anchoring_strength", "order"},
+        "shape");
+    for (const auto& shape : case_.shapes) {
+      Case::Solid& solid = case_.solids.emplace_back();
+      shape.section.read_only(case_keys::solid(solid), problems_);
+    }
+  }
+
   /// What is no section of the framework's is called after an initial condition; whether there is one is for the
   /// registry to say.
   void read_initial() {
@@ -144,11 +156,13 @@ class CaseReader {
     read_boundary(domain);
   }
 
-  /// The choice that a section with a key `type` makes.
-  PluginChoice choice(const CaseSection& from, std::vector<std::string> framework_keys) {
-    PluginChoice result{"", from.name(), from, from.full_key("type"), from.place_of("type"), std::move(framework_keys)};
-    from.read_only(case_keys::plugin(result.type), problems_);
-    if (from.has("type")) refuse_empty_name(case_.tree->find_path(result.type_key), result.type_key);
+  /// The choice that a section with a key `chooser` makes.
+  PluginChoice choice(const CaseSection& from, std::vector<std::string> framework_keys,
+                      const std::string& chooser = "type") {
+    PluginChoice result{
+        "", from.name(), from, from.full_key(chooser), from.place_of(chooser), std::move(framework_keys)};
+    from.read_only(case_keys::plugin(result.type, chooser), problems_);
+    if (from.has(chooser)) refuse_empty_name(case_.tree->find_path(result.type_key), result.type_key);
     return result;
   }
 
@@ -185,15 +199,16 @@ class CaseReader {
     }
   }
 
-  /// Names of the tables that have a type.
-  static std::vector<std::string> typed(const Value::Table& group) {
+  /// Names of the tables that have such a key.
+  static std::vector<std::string> with_key(const Value::Table& group, const std::string& key) {
     std::vector<std::string> names;
     for (const auto& [name, place, inner] : group)
-      if (inner.find("type") != nullptr) names.push_back(name);
+      if (inner.find(key) != nullptr) names.push_back(name);
     return names;
   }
 
-  std::vector<PluginChoice> instances(const std::string& group, const std::vector<std::string>& framework_keys) {
+  std::vector<PluginChoice> instances(const std::string& group, const std::vector<std::string>& framework_keys,
+                                      const std::string& chooser = "type") {
     constexpr std::string_view letters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-";
     std::vector<PluginChoice> choices;
     const auto* const value = case_.tree->find(group);
@@ -202,15 +217,16 @@ class CaseReader {
     for (const auto& [name, place, inner] : *table) {
       const std::string path = joined(group, name);
       if (inner.as<Value::Table>() == nullptr) {
-        problems_.add(place, path, "must be a table with a type, [" + path + "], but is " + shown(inner));
+        problems_.add(place, path, "must be a table with a " + chooser + ", [" + path + "], but is " + shown(inner));
       } else if (name.empty() || name.find_first_not_of(letters) != std::string::npos) {
         problems_.add(place, path, "the name may hold only letters, digits, _ and -");
-      } else if (const std::string meant = inner.find("type") == nullptr ? nearest(name, typed(*table)) : "";
+      } else if (const std::string meant =
+                     inner.find(chooser) == nullptr ? nearest(name, with_key(*table, chooser)) : "";
                  !meant.empty()) {
-        problems_.add(inner.place, path + ".type",
+        problems_.add(inner.place, path + "." + chooser,
                       "must be given: a text (name of the plugin); did you mean \"" + joined(group, meant) + "\"?");
       } else {
-        choices.push_back(choice(section(path), framework_keys));
+        choices.push_back(choice(section(path), framework_keys, chooser));
       }
     }
     return choices;

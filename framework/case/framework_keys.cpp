@@ -17,6 +17,12 @@ const std::vector<Section>& sections() {
        .doc = "What is beyond the faces of the box: the name of a boundary plugin, or a table with its type and keys.",
        .required = true,
        .plugin = PluginKind::boundary},
+      {.name = "solids",
+       .doc = "Solids in the box, or around the fluid: tables with names of your choice, such as [solids.pillar]. The "
+              "fluid is where no solid is. What is at the faces of the box is for domain.boundary to say.",
+       .instances = true,
+       .plugin = PluginKind::shape,
+       .chooser = "shape"},
       {.name = "particles", .doc = "How particles fill the box at the start.", .required = true},
       {.name = "kernel", .doc = "The smoothing kernel.", .required = true, .plugin = PluginKind::kernel},
       {.name = "NAME",
@@ -166,9 +172,56 @@ ParameterList run(Case::Run& run, std::string& precision) {
   return list;
 }
 
-ParameterList plugin(std::string& type) {
+ParameterList solid(Case::Solid& solid) {
   ParameterList list;
-  list.text("type", type).doc("name of the plugin").required();
+  list.text("fluid", solid.fluid)
+      .choices({"inside", "outside"})
+      .doc("on which side of the shape's surface the fluid is; the other side is solid");
+  const std::vector<int> built = built_dimensions.list();
+  list.numbers("velocity", solid.velocity)
+      .unit("m/s")
+      .sizes({built.begin(), built.end()})
+      .doc("velocity of the surface; the solid stays");
+  list.number("angular_velocity", solid.angular_velocity)
+      .unit("rad/s")
+      .doc("angular velocity of the surface about the centre of the shape, counterclockwise");
+  list.word_or_number("slip", solid.slip, {"none", "free"})
+      .unit("m")
+      .at_least(0.0)
+      .doc(
+          "none: the fluid sticks to the surface; free: the surface takes no force along itself; a number: the slip "
+          "length, the depth in the solid at which the velocity, continued straight, is that of the surface");
+  const std::vector<std::string> anchored = {"tangential", "normal", "angle"};
+  list.text("anchoring", solid.anchoring)
+      .choices({"none", "tangential", "normal", "angle"})
+      .doc("director at the surface. none: free (no torque); angle: at `angle` from the tangent");
+  list.number("angle", solid.angle)
+      .unit("degree")
+      .at_least(-180.0)
+      .at_most(180.0)
+      .doc(
+          "angle of the director from the tangent, counterclockwise; the tangent has the fluid at its left, so 90 "
+          "points "
+          "into the fluid")
+      .only_with("anchoring", {"angle"});
+  list.number_or("anchoring_strength", solid.anchoring_strength, "strong")
+      .unit("N/m")
+      .above(0.0)
+      .doc(
+          "strong: the surface holds the order tensor; a number W: it pulls the order tensor to Q_wall, by "
+          "K dQ/dn = W (Q - Q_wall) with n into the fluid")
+      .only_with("anchoring", anchored);
+  list.number("order", solid.order)
+      .at_least(0.0)
+      .at_most(1.0)
+      .doc("order q of Q_wall")
+      .only_with("anchoring", anchored);
+  return list;
+}
+
+ParameterList plugin(std::string& type, const std::string& chooser) {
+  ParameterList list;
+  list.text(chooser, type).doc("name of the plugin").required();
   return list;
 }
 

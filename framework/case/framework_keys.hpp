@@ -19,6 +19,7 @@ struct Section {
   bool required = false;
   bool instances = false;                           ///< holds tables named by the user, such as [physics.flow]
   std::optional<PluginKind> plugin = std::nullopt;  ///< it chooses one of this kind, whose parameters are keys here too
+  std::string chooser = "type";                     ///< the key that names the plugin
   /// Is it called after its plugin?
   [[nodiscard]] bool plugin_named() const { return plugin == PluginKind::initial; }
 };
@@ -34,8 +35,9 @@ ParameterList time(Case::Time& time);
 ParameterList output(Case::Output& output);
 /// `precision` holds the word for Case::Run::precision.
 ParameterList run(Case::Run& run, std::string& precision);
-/// The name of the plugin that a section chooses.
-ParameterList plugin(std::string& type);
+ParameterList solid(Case::Solid& solid);
+/// The name of the plugin that a section chooses, under the key `chooser`.
+ParameterList plugin(std::string& type, const std::string& chooser = "type");
 /// `every` holds the number for ObserverTiming::every; 0: not given.
 ParameterList timing(ObserverTiming& timing, std::int64_t& every);
 

@@ -28,6 +28,18 @@ class Taker {
       keep(target, number(value, ""));
     }
   }
+  void operator()(WordOrNumber* target, const Value& value) {
+    if (const auto* const word = value.as<std::string>()) {
+      if (std::ranges::find(parameter_.word_list, *word) != parameter_.word_list.end()) {
+        *target = {*word, 0.0};
+      } else {
+        refuse_type(value);
+        refusal->text += did_you_mean(*word, parameter_.word_list);
+      }
+    } else if (const auto given = number(value, "")) {
+      *target = {"", *given};
+    }
+  }
   void operator()(std::int64_t* target, const Value& value) {
     const auto* const integer = value.as<std::int64_t>();
     if (integer == nullptr) return refuse_type(value);
@@ -155,6 +167,9 @@ struct Reader {
   std::optional<Value> operator()(const std::optional<double>* target) const {
     if (*target) return number(**target);
     return word.empty() ? std::nullopt : std::optional(Value{word, {}});
+  }
+  std::optional<Value> operator()(const WordOrNumber* target) const {
+    return target->word.empty() ? number(target->number) : std::optional(Value{target->word, {}});
   }
   std::optional<Value> operator()(const std::int64_t* target) const { return Value{*target, {}}; }
   std::optional<Value> operator()(const bool* target) const { return Value{*target, {}}; }

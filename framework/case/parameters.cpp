@@ -95,6 +95,12 @@ std::string Parameter::type_text() const {
     std::string operator()(const std::optional<double>*) const {
       return self.word.empty() ? "number" : "number or " + text_literal(self.word);
     }
+    std::string operator()(const WordOrNumber*) const {
+      std::string text;
+      for (const auto& word : self.word_list)
+        text += text_literal(word) + (&word == &self.word_list.back() ? "" : ", ");
+      return text + " or number";
+    }
     std::string operator()(const std::int64_t*) const { return "integer"; }
     std::string operator()(const bool*) const { return "true or false"; }
     std::string operator()(const std::string*) const { return "text"; }
@@ -173,6 +179,12 @@ Parameter& ParameterList::number(std::string_view name, double& target) { return
 Parameter& ParameterList::number_or(std::string_view name, std::optional<double>& target, std::string_view word) {
   auto& parameter = add(name, &target);
   parameter.word = word;
+  return parameter;
+}
+
+Parameter& ParameterList::word_or_number(std::string_view name, WordOrNumber& target, std::vector<std::string> words) {
+  auto& parameter = add(name, &target);
+  parameter.word_list = std::move(words);
   return parameter;
 }
 

@@ -45,6 +45,7 @@ Neighbourhood::Neighbourhood(const Scene& scene, const Boundary& boundary, const
 
 void Neighbourhood::place_mirrors() {
   for (const WallSet::Member& wall : walls_.members()) {
+    mirror_curvature_.push_back(wall.particle.curvature);
     mirror_cell_.push_back(grid_.nearest_inside(wall.particle.mirror));
     const std::array<double, 3> way = way_to_mirror(scene_, boundary_, wall.particle);
     for (int d = 0; d < scene_.dimension; ++d) {
@@ -117,7 +118,7 @@ void Neighbourhood::keep_inside(Particles& particles) {
   Index number = count;
   const Index* left = nullptr;
   // On a device it finds who left the box: mostly nobody, and nothing comes to the host.
-  if (!backend_.on_host()) {
+  if (!backend_.on_host() && !scene_.solids) {
     order_.resize_for_overwrite(particles.id.size());
     number = backend_.cells().find_outside(exec::pointers(particles.position, device).data(), scene_.box.data(),
                                            scene_.dimension, count, order_.device(Access::write));
@@ -143,13 +144,19 @@ void Neighbourhood::keep_inside(Particles& particles) {
       image[d][i] = images[d];
     }
   };
+  const auto strays = [&](Index i) {
+    std::array<double, 3> at{};
+    for (int d = 0; d < scene_.dimension; ++d) at[d] = position[d][i];
+    return boundary_.strays(at.data());
+  };
   exec::FirstFailure failure;
 #pragma omp parallel for schedule(static)
   for (Index n = 0; n < number; ++n) {
     const Index i = left == nullptr ? n : left[n];
-    if (exec::is_inside(position.data(), scene_.box.data(), scene_.dimension, i)) continue;
+    const bool in_box = exec::is_inside(position.data(), scene_.box.data(), scene_.dimension, i);
+    if (in_box && !scene_.solids) continue;
     try {
-      move_inside(i);
+      if (!in_box || strays(i)) move_inside(i);
     } catch (...) {
       failure.keep();
     }
@@ -272,6 +279,7 @@ sph::MirrorPoints<Dim> Neighbourhood::mirrors() const {
   points.count = walls_.count();
   points.block_begin = mirror_blocks_.begin.data();
   points.block = mirror_blocks_.block.data();
+  points.curvature = mirror_curvature_.data();
   for (int d = 0; d < Dim; ++d) {
     points.local[d] = mirror_local_[d].data();
     points.to_wall[d] = mirror_to_wall_[d].data();

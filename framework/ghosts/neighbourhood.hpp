@@ -119,6 +119,7 @@ class MESOGEN_EXPORT Neighbourhood {
   std::array<std::vector<double>, 3> mirror_local_;  // relative to the tile of its cell
   std::array<std::vector<double>, 3> mirror_to_wall_;
   std::array<std::vector<double>, 3> mirror_normal_;
+  std::vector<double> mirror_curvature_;
   NeighbourBlocks mirror_blocks_;
   exec::AxisArrays<float> local_single_;
   exec::AxisArrays<double> local_double_;

@@ -27,6 +27,8 @@ void Boundary::keep_inside(const Scene& scene, double* position, std::int32_t* i
   }
 }
 
+bool Boundary::strays(const double*) const { return false; }
+
 std::vector<WallParticle> Boundary::wall_particles(const Scene&, double) const { return {}; }
 
 AffineRule Boundary::ghost_rule(const Scene&, const FieldKind& field, const std::array<int, 3>&) const {

@@ -41,8 +41,8 @@ std::string descriptor_problem(const PluginDescriptor& descriptor) {
   if (descriptor.build_tag == nullptr || descriptor.build_tag != std::string_view(MESOGEN_BUILD_TAG))
     return fmt::format("it was built with {}, this Mesogen with {}; build it again with the same compiler",
                        descriptor.build_tag == nullptr ? "(unknown)" : descriptor.build_tag, MESOGEN_BUILD_TAG);
-  if (descriptor.kind < PluginKind::kernel || descriptor.kind > PluginKind::initial)
-    return fmt::format("its kind is {}; kinds are 1 to 5", static_cast<int>(descriptor.kind));
+  if (descriptor.kind < PluginKind::kernel || descriptor.kind > PluginKind::shape)
+    return fmt::format("its kind is {}; kinds are 1 to 6", static_cast<int>(descriptor.kind));
   if (descriptor.name == nullptr || !is_name(descriptor.name))
     return fmt::format("its name \"{}\" is not made of small letters, digits and underscores",
                        descriptor.name == nullptr ? "" : descriptor.name);

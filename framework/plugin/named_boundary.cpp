@@ -90,6 +90,9 @@ std::array<double, 3> NamedBoundary::shear(const Scene& scene, const std::array<
     return by;
   });
 }
+bool NamedBoundary::strays(const double* position) const {
+  return told(name_, "strays()", ExitCode::run_failed, [&] { return plugin_->strays(position); });
+}
 void NamedBoundary::keep_inside(const Scene& scene, double* position, std::int32_t* images) const {
   told(name_, "keep_inside()", ExitCode::run_failed, [&] { plugin_->keep_inside(scene, position, images); });
 }

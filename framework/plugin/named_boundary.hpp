@@ -22,6 +22,7 @@ class NamedBoundary final : public Boundary {
   void prepare(const Scene& scene) override;
   [[nodiscard]] Continuation continuation(int axis) const override;
   [[nodiscard]] std::array<double, 3> shear(const Scene& scene, const std::array<int, 3>& boxes) const override;
+  [[nodiscard]] bool strays(const double* position) const override;
   void keep_inside(const Scene& scene, double* position, std::int32_t* images) const override;
   [[nodiscard]] std::vector<WallParticle> wall_particles(const Scene& scene, double reach) const override;
   [[nodiscard]] AffineRule ghost_rule(const Scene& scene, const FieldKind& field,

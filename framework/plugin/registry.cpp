@@ -58,6 +58,7 @@ std::string_view to_string(PluginKind kind) {
     case PluginKind::physics: return "physics";
     case PluginKind::observer: return "observer";
     case PluginKind::initial: return "initial";
+    case PluginKind::shape: return "shape";
   }
   return "plugin";
 }
@@ -236,6 +237,10 @@ std::unique_ptr<Boundary> PluginRegistry::make_boundary(std::string_view name, i
                                                         std::string length_unit) const {
   return std::make_unique<NamedBoundary>(
       std::string(name), create<Boundary>(descriptor(PluginKind::boundary, name), dimension), std::move(length_unit));
+}
+
+PluginPointer<Shape> PluginRegistry::make_shape(std::string_view name, int dimension) const {
+  return create<Shape>(descriptor(PluginKind::shape, name), dimension);
 }
 
 PluginPointer<Initial> PluginRegistry::make_initial(std::string_view name, int dimension) const {

@@ -14,16 +14,17 @@
 #include "mesogen/plugin/kernel.hpp"
 #include "mesogen/plugin/observer.hpp"
 #include "mesogen/plugin/physics.hpp"
+#include "mesogen/plugin/shape.hpp"
 #include "plugin/plugin_pointer.hpp"
 
 namespace mesogen {
 
-/// "kernel", "boundary", "initial", "physics", "observer".
+/// "kernel", "boundary", "shape", "initial", "physics", "observer".
 MESOGEN_EXPORT std::string_view to_string(PluginKind kind);
 
 /// All kinds, in the order in which a case is best read.
-inline constexpr std::array plugin_kinds{PluginKind::kernel, PluginKind::boundary, PluginKind::initial,
-                                         PluginKind::physics, PluginKind::observer};
+inline constexpr std::array plugin_kinds{PluginKind::kernel,  PluginKind::boundary, PluginKind::shape,
+                                         PluginKind::initial, PluginKind::physics,  PluginKind::observer};
 
 /// A plugin whose library is loaded and whose descriptor was checked. Libraries stay loaded until the process ends, so
 /// the descriptor is valid as long.
@@ -78,6 +79,7 @@ class MESOGEN_EXPORT PluginRegistry {
   /// `length_unit`: of the case, for messages about places.
   [[nodiscard]] std::unique_ptr<Boundary> make_boundary(std::string_view name, int dimension,
                                                         std::string length_unit = "m") const;
+  [[nodiscard]] PluginPointer<Shape> make_shape(std::string_view name, int dimension) const;
   [[nodiscard]] PluginPointer<Initial> make_initial(std::string_view name, int dimension) const;
   [[nodiscard]] PluginPointer<Observer> make_observer(std::string_view name, int dimension) const;
   [[nodiscard]] PluginPointer<Physics> make_physics(std::string_view name, Precision precision, int dimension) const;

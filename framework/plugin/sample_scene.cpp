@@ -12,6 +12,7 @@ Scene sample_scene(const PluginRegistry& registry, int dimension) {
     scene.box[d] = 1.0;
     scene.particle_count *= 10;
   }
+  scene.fluid_volume = 1.0;
   scene.spacing = 0.1;
   scene.smoothing_length = 0.13;
   scene.support = 0.4;

@@ -16,7 +16,9 @@ inline std::array<double, 3> way_to_mirror(const Scene& scene, const Boundary& b
     way[d] = wall.mirror[d] - wall.position[d];
     if (!boundary.periodic(axis)) continue;
     way[d] = std::remainder(way[d], scene.box[d]);
-    if (way[d] * wall.normal[d] < 0.0) way[d] += std::copysign(scene.box[d], wall.normal[d]);
+    // Along the surface both are rounding.
+    if (way[d] * wall.normal[d] < 0.0 && std::abs(way[d]) > 1e-6 * scene.spacing)
+      way[d] += std::copysign(scene.box[d], wall.normal[d]);
   }
   return way;
 }

@@ -71,8 +71,7 @@ exec::Reduction look_outside(const State& state, const Field& field, double lowe
 // On a lattice of as many particles as the box holds.
 double volume_on_lattice(const State& state) {
   const int dimension = state.scene.dimension;
-  double filled = 1.0 / static_cast<double>(state.scene.particle_count);
-  for (int d = 0; d < dimension; ++d) filled *= state.scene.box[d];
+  const double filled = state.scene.fluid_volume / static_cast<double>(state.scene.particle_count);
   return sph::volume_on_lattice(state.kernel, std::pow(filled, 1.0 / dimension), dimension);
 }
 

@@ -87,9 +87,7 @@ template <int Dim>
 double largest_laplacian(const Carriers<Dim>& all, std::size_t count, const Scene& scene,
                          const sph::SmoothingKernel& kernel) {
   const PointCells<Dim> cells(scene, all.points, scene.support);
-  double volume = 1.0;
-  for (std::size_t d = 0; d < Dim; ++d) volume *= scene.box[d];
-  volume /= static_cast<double>(count);
+  const double volume = scene.fluid_volume / static_cast<double>(count);
   std::vector<double> laplacian(count);
 #pragma omp parallel for schedule(static)
   for (std::size_t i = 0; i < count; ++i) {

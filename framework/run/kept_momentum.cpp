@@ -27,8 +27,7 @@ bool conserves_momentum(const Setup& setup) {
   const std::string& velocity = setup.graph->transport().velocity;
   const Catalogue::Entry* const entry = velocity.empty() ? nullptr : setup.catalogue.find(velocity);
   if (entry == nullptr || !has_rate(entry->declaration.advance)) return false;
-  for (int d = 0; d < setup.scene.dimension; ++d)
-    if (!setup.scene.periodic[static_cast<std::size_t>(d)]) return false;
+  if (!setup.scene.endless()) return false;
   const auto conserves = [&](const ScheduledPass& scheduled) {
     return !adds_to(scheduled, entry->declaration.rate) || scheduled.pass.no_net_force;
   };

@@ -14,6 +14,7 @@
 #include "plugin/registry.hpp"
 #include "schedule/catalogue.hpp"
 #include "schedule/step_graph.hpp"
+#include "solids/confined_boundary.hpp"
 
 namespace mesogen {
 
@@ -47,6 +48,7 @@ struct MESOGEN_EXPORT Setup {
   std::string why_on_host;                    ///< where a device would have been taken, had it been possible
   PluginPointer<Kernel> kernel;
   std::unique_ptr<Boundary> boundary;
+  ConfinedBoundary* confined = nullptr;  ///< the same, if there are solids
   std::vector<InitialMember> initial;
   std::vector<PhysicsMember> physics;
   std::vector<ObserverMember> observers;

@@ -1,3 +1,4 @@
+#include "case/framework_keys.hpp"
 #include "plugin/plugin_call.hpp"
 #include "run/setup_context.hpp"
 #include "run/smoothing.hpp"
@@ -66,6 +67,27 @@ void make_boundary_and_kernel(SetupContext& context) {
   read_parameters(context, source.kernel, setup.kernel);
 }
 
+/// With solids the boundary is that of the box and theirs together.
+void make_solids(SetupContext& context) {
+  Setup& setup = context.setup;
+  const Case& source = setup.source;
+  if (source.shapes.empty()) return;
+  std::vector<Solid> solids;
+  for (std::size_t n = 0; n < source.shapes.size(); ++n) {
+    const PluginChoice& choice = source.shapes[n];
+    auto shape = make(context, PluginKind::shape, choice,
+                      [&](const std::string& name) { return context.registry.make_shape(name, source.dimension()); });
+    read_parameters(context, choice, shape);
+    Case::Solid keys = source.solids[n];
+    context.resolved.add(choice.section, case_keys::solid(keys));
+    if (shape) solids.emplace_back(choice.section.path(), std::move(shape), std::move(keys));
+  }
+  if (!setup.boundary || solids.size() < source.shapes.size()) return;
+  auto confined = std::make_unique<ConfinedBoundary>(std::move(setup.boundary), std::move(solids), source.units.length);
+  setup.confined = confined.get();
+  setup.boundary = std::move(confined);
+}
+
 void make_initial(SetupContext& context, const PluginChoice& choice) {
   Setup& setup = context.setup;
   auto plugin = make(context, PluginKind::initial, choice, [&](const std::string& name) {
@@ -118,6 +140,7 @@ std::string instruction_sets(const Setup& setup, const PluginRegistry& registry)
 void make_plugins(SetupContext& context) {
   const Case& source = context.setup.source;
   make_boundary_and_kernel(context);
+  make_solids(context);
   for (const PluginChoice& choice : source.initial) make_initial(context, choice);
   for (const PluginChoice& choice : source.physics) make_physics(context, choice);
   for (std::size_t n = 0; n < source.observers.size(); ++n)

@@ -49,6 +49,25 @@ void publish_initial_conditions(SetupContext& context) {
   }
 }
 
+/// What the solids leave of the lattice.
+void place_between_solids(SetupContext& context) {
+  Setup& setup = context.setup;
+  const Case& source = setup.source;
+  for (std::size_t n = 0; n < source.shapes.size(); ++n)
+    context.attempt(source.shapes[n], [&] { setup.confined->solids()[n].prepare(setup.scene); });
+  if (!context.problems.empty()) return;
+  try {
+    ConfinedBoundary::Fluid fluid = setup.confined->place(setup.scene, setup.arrangement);
+    setup.arrangement = std::move(fluid.arrangement);
+    setup.scene.particle_count = setup.arrangement.count;
+    setup.scene.fluid_volume = fluid.volume;
+    setup.scene.widest = fluid.widest;
+  } catch (const Error& error) {
+    context.refused = context.refused || error.code() == ExitCode::plugin_refused;
+    context.problems.add(source.place("solids"), "solids", error.what());
+  }
+}
+
 }  // namespace
 
 void describe_scene(SetupContext& context) {
@@ -60,6 +79,9 @@ void describe_scene(SetupContext& context) {
   scene.precision = source.run.precision;
   std::ranges::copy(source.domain.size, scene.box.begin());
   for (int d = 0; d < scene.dimension; ++d) scene.periodic[d] = setup.boundary->periodic(d);
+  scene.solids = setup.confined != nullptr;
+  scene.fluid_volume = 1.0;
+  for (int d = 0; d < scene.dimension; ++d) scene.fluid_volume *= scene.box[static_cast<std::size_t>(d)];
   scene.spacing = source.particles.spacing;
   scene.smoothing_length = setup.smoothing.smoothing_length;
   scene.support = setup.smoothing.radius();
@@ -69,6 +91,8 @@ void describe_scene(SetupContext& context) {
   scene.scales = {};  // what was told of an incomplete scene does not count: all tell it again
   if (context.additions.scene) context.additions.scene(scene);
   context.attempt(source.boundary, [&] { setup.boundary->prepare(scene); });
+  if (setup.confined != nullptr && context.problems.empty()) place_between_solids(context);
+  if (!context.problems.empty()) return;
   publish_initial_conditions(context);
   context.attempt(source.boundary, [&] { setup.boundary->scales(scene.scales); });
   if (context.problems.empty()) publish_physics(context);

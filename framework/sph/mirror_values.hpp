@@ -24,6 +24,7 @@ struct MirrorPoints {
   const double* local[Dim];    ///< relative to the tile of its cell, m
   const double* to_wall[Dim];  ///< from the point to the wall particle, m
   const double* normal[Dim];   ///< of the wall's surface between the two, into the fluid
+  const double* curvature;     ///< likewise, 1/m; see WallParticle
   const double* offset[Dim];   ///< by shift of a block, as in Neighbours
   const std::int64_t* block_begin;
   const NeighbourBlock* block;

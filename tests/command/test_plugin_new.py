@@ -6,7 +6,7 @@ import unittest
 
 from support import PROJECT, CommandTest
 
-KINDS = ("kernel", "boundary", "physics", "observer")
+KINDS = ("kernel", "boundary", "shape", "physics", "observer")
 
 
 class PluginNew(CommandTest):
@@ -44,7 +44,7 @@ class PluginNew(CommandTest):
             self.assertFalse(os.path.exists(self.path(name)))
 
     def test_unknown_kind(self):
-        self.assertIn('"physic" is no kind of plugin (there are: kernel, boundary, initial, physics, observer); did you mean '
+        self.assertIn('"physic" is no kind of plugin (there are: kernel, boundary, shape, initial, physics, observer); did you mean '
                       '"physics"?', self.refused("physic", "my_force"))
 
     def test_names_that_cannot_be(self):

@@ -30,6 +30,7 @@ class FakeObserverContext final : public ObserverContext {
     const auto count = static_cast<std::size_t>(nx) * static_cast<std::size_t>(ny);
     scene_.dimension = 2;
     scene_.box = {length_x, length_y, 0.0};
+    scene_.fluid_volume = length_x * length_y;
     scene_.spacing = length_x / nx;
     scene_.smoothing_length = 4.0 / 3.0 * scene_.spacing;
     scene_.support = 3.0 * scene_.smoothing_length;

@@ -24,6 +24,8 @@ Scene scene_of(const ParticleScene::Options& options, std::size_t count) {
   scene.dimension = 2;
   scene.precision = options.precision;
   scene.box = options.box;
+  scene.fluid_volume = 1.0;
+  for (int d = 0; d < scene.dimension; ++d) scene.fluid_volume *= scene.box[static_cast<std::size_t>(d)];
   scene.spacing = options.spacing;
   scene.smoothing_length = smoothing(options).smoothing_length;
   scene.support = smoothing(options).radius();

@@ -95,17 +95,26 @@ struct WeightLoop {
   }
 
  private:
-  /// The wall particle of a mirror point, in smoothing lengths from there; its surface is taken as flat.
+  /// The wall particle of a mirror point, in smoothing lengths from there; its surface is taken as round.
   struct Wall {
     double at[Dim];
     double normal[Dim];
     double depth;
+    double curvature;
 
     /// How far a particle is from the surface; zero behind it.
     [[gnu::always_inline]] Lane distance(const Lane* way) const {
-      Lane sum(depth);
-      for (int d = 0; d < Dim; ++d) sum = sum + way[d] * normal[d];
-      return exec::positive_part(sum);
+      Lane along(0.0);
+      Lane square(0.0);
+      for (int d = 0; d < Dim; ++d) {
+        along = along + way[d] * normal[d];
+        square = square + way[d] * way[d];
+      }
+      const Lane from_plane = along + depth;
+      const Lane bent = exec::positive_part(from_plane * curvature + 1.0);  // 0 beyond the centre of a hollow
+      const Lane aside = (square - along * along) * curvature;
+      const Lane root = exec::square_root(exec::positive_part(bent * bent + aside * curvature));
+      return exec::positive_part(from_plane + aside / (bent + root + 1e-12));
     }
     /// depth * l, as a function of the way from the mirror point.
     [[nodiscard]] Linear<Dim> seen(const Linear<Dim>& l) const {
@@ -125,6 +134,7 @@ struct WeightLoop {
       wall.normal[d] = points.normal[d][n];
       wall.depth -= 0.5 * wall.at[d] * wall.normal[d];
     }
+    wall.curvature = points.curvature[n] * length;
     return wall;
   }
 

@@ -53,7 +53,9 @@ TEST(Walls, StandAcrossTheAxesThatTheCaseNames) {
 TEST(Walls, ContinueTheLatticeAsFarAsTheKernelReaches) {
   WallsUnderTest channel;
   EXPECT_EQ(channel.particles().size(), 2U * 5U * 10U);
-  for (const auto& [at, mirror, normal] : channel.particles()) {
+  for (const auto& [at, mirror, normal, curvature, wall] : channel.particles()) {
+    EXPECT_EQ(curvature, 0.0);
+    EXPECT_EQ(wall, 0);
     EXPECT_TRUE(at[1] < 0.0 || at[1] > 2.0);
     EXPECT_NEAR(std::remainder(at[1] / 0.1 - 0.5, 1.0), 0.0, 1e-12);
     EXPECT_EQ(mirror[0], at[0]);

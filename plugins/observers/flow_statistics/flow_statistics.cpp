@@ -45,18 +45,12 @@ Range range(const ObserverContext& context, std::string_view name) {
   return {lowest, highest};
 }
 
-double volume_of_box(const Scene& scene) {
-  double volume = 1.0;
-  for (int d = 0; d < scene.dimension; ++d) volume *= scene.box[static_cast<std::size_t>(d)];
-  return volume;
-}
-
 /// Smallest distance between two particles, m.
 template <int Dim>
 double smallest_distance(const ObserverContext& context) {
   // However they are placed, two of N particles are closer than in the densest packing: 1.075 (V/N)^(1/2) in 2D,
   // 1.123 (V/N)^(1/3) in 3D. So cells of this width find the closest pair.
-  const double width = 1.13 * std::pow(volume_of_box(context.scene()) / count_of(context), 1.0 / Dim);
+  const double width = 1.13 * std::pow(context.scene().fluid_volume / count_of(context), 1.0 / Dim);
   const PointCells<Dim> cells(context.scene(), stored_positions<Dim>(context), width);
   const double square = cells.closest_square();
   return std::isfinite(square) ? std::sqrt(square) : none;
@@ -72,16 +66,16 @@ class FlowStatistics final : public Observer {
     plan.scalar("v_rms").unit("m/s").doc("root of the mean square velocity, sqrt(<u.u>)");
     plan.scalar("vorticity_rms").unit("1/s").doc("root of the mean square vorticity, w = dv/dx - du/dy in 2D");
     plan.scalar("divergence_rms").unit("1/s").doc("root of the mean square divergence of the velocity");
-    plan.scalar("kinetic_energy").unit(plane ? "J/m" : "J").doc("sum of m u.u / 2, m = <density> * box / N");
+    plan.scalar("kinetic_energy").unit(plane ? "J/m" : "J").doc("sum of m u.u / 2, m = <density> * volume / N");
     plan.scalar("compression_energy")
         .unit(plane ? "J/m" : "J")
-        .doc("energy stored by compression: sum of internal_energy * box / N");
+        .doc("energy stored by compression: sum of internal_energy * volume / N");
     plan.table("total_momentum", static_cast<std::size_t>(scene.dimension))
         .unit(plane ? "kg/s" : "kg m/s")
         .doc("sum of m u: one row, one column per axis; in 2D per metre of depth");
     plan.scalar("density_min").unit("kg/m^3").doc("smallest density of a particle");
     plan.scalar("density_max").unit("kg/m^3").doc("largest density of a particle");
-    plan.scalar("volume_min").doc("smallest volume of a particle over the mean, V / V0, V0 = box / N");
+    plan.scalar("volume_min").doc("smallest volume of a particle over the mean, V / V0, V0 = volume / N, of the fluid");
     plan.scalar("volume_max").doc("largest volume of a particle over the mean, V / V0");
     plan.scalar("min_spacing").doc("smallest distance between two particles, in initial spacings");
   }
@@ -103,7 +97,7 @@ class FlowStatistics final : public Observer {
   /// Mass of a particle, kg (2D: kg/m); from the constant `density` where there is no such field. NaN if unknown.
   static double mass(const ObserverContext& context) {
     const double density = context.has("density") ? mean(context, "density") : context.constant("density");
-    return physical_share(context) * density * volume_of_box(context.scene()) / count_of(context);
+    return physical_share(context) * density * context.scene().fluid_volume / count_of(context);
   }
 
   static void motion(const ObserverContext& context, Sample& sample) {
@@ -133,7 +127,7 @@ class FlowStatistics final : public Observer {
 
   /// Per volume at rest, which is the same for all particles.
   static double compression_energy(const ObserverContext& context) {
-    return context.has("internal_energy") ? mean(context, "internal_energy") * volume_of_box(context.scene()) : none;
+    return context.has("internal_energy") ? mean(context, "internal_energy") * context.scene().fluid_volume : none;
   }
 
   static void gradient(const ObserverContext& context, Sample& sample) {
@@ -167,7 +161,7 @@ class FlowStatistics final : public Observer {
       sample.set("density_min", density.lowest * physical_share(context));
       sample.set("density_max", density.highest * physical_share(context));
     }
-    const double mean_volume = volume_of_box(scene) / count_of(context);
+    const double mean_volume = scene.fluid_volume / count_of(context);
     const Range volume = range(context, "volume");
     sample.set("volume_min", volume.lowest / mean_volume);
     sample.set("volume_max", volume.highest / mean_volume);

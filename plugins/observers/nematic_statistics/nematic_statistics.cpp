@@ -11,7 +11,8 @@
 /// d(|grad Q|^2)/dQ_ij = -2 lap Q_ij. (A cubic term B Tr Q^3 is zero in 2D.)
 ///
 /// The elastic part is the field `elastic_energy` where a physics plugin makes it, else made of the gradient of Q. The
-/// volumes V_i add up to that of the box: those of the kernel miss it by up to a per cent where particles lie unevenly.
+/// volumes V_i add up to that of the fluid: those of the kernel miss it by up to a per cent where particles lie
+/// unevenly.
 ///
 /// A, C and K are the constants `bulk_A`, `bulk_C` and `elastic_constant` that a physics plugin publishes; where one is
 /// missing, the free energy is NaN.
@@ -100,8 +101,7 @@ class NematicStatistics final : public Observer {
     };
     const auto [energy, filled] = context.has("elastic_energy") ? sum(context.field("elastic_energy"))
                                                                 : sum(ElasticEnergy{context.field(gradient), k});
-    const auto& box = context.scene().box;
-    return energy * (box[0] * box[1] / filled);
+    return energy * (context.scene().fluid_volume / filled);
   }
 
   /// K/2 |grad Q|^2, J/m3.

@@ -35,7 +35,7 @@ requires(Dim == 2) class FlowFields final : public Physics {
 
   void declare(const Scene& scene, PassList& list) override {
     grid_ = StreamFunction::grid_of(scene, mesh_spacing_);
-    periodic_ = scene.periodic[0] && scene.periodic[1];
+    periodic_ = scene.endless();
     if (periodic_) list.memory(StreamFunction::memory(grid_, scene.particle_count));
     list.field("vorticity", Rank::scalar).unit("1/s").doc("omega = dv/dx - du/dy");
     list.field("stream_function", Rank::scalar)

@@ -141,6 +141,9 @@ requires(Dim == 2) class Incompressible final : public Physics {
         throw Error(ExitCode::bad_case,
                     "an incompressible flow needs a box that is periodic along every axis: take boundary = "
                     "\"periodic_wrap\" or \"periodic_ghosts\", or between walls type = \"wcsph\"");
+    if (scene.solids)
+      throw Error(ExitCode::bad_case,
+                  "an incompressible flow knows no solids: between them take type = \"wcsph\", or remove [solids]");
     fluid_.friction = scene.constant("friction");
     nematic_ = scene.constants.contains("elastic_constant");
     if (nematic_ && !scene.constants.contains("rotational_diffusivity"))

@@ -63,9 +63,7 @@ void advise_on_sound(const FlowChoice& flow, const AdviceContext& context, std::
 // of its own the case asks for this plugin.
 void advise_on_another_flow(const FlowChoice& flow, const AdviceContext& context, std::vector<Suggestion>& list) {
   const Scene& scene = context.scene;
-  for (int d = 0; d < scene.dimension; ++d)
-    if (!scene.periodic[static_cast<std::size_t>(d)]) return;
-  if (!flow.only_defaults) return;
+  if (!scene.endless() || !flow.only_defaults) return;
   double others = std::numeric_limits<double>::infinity();
   for (const auto& limit : context.limits.all())
     // Diffusion and friction limit no step of that flow.

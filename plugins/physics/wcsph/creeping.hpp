@@ -17,6 +17,7 @@ namespace mesogen::wcsph {
 inline double smallest_square(const Scene& scene) {
   double between_walls = 0.0;
   double longest = 0.0;
+  if (scene.solids) between_walls = std::pow(std::numbers::pi / scene.widest, 2);
   for (std::size_t d = 0; d < static_cast<std::size_t>(scene.dimension); ++d) {
     if (!scene.periodic[d]) between_walls += std::pow(std::numbers::pi / scene.box[d], 2);
     longest = std::max(longest, scene.box[d]);

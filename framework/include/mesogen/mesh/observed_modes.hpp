@@ -14,8 +14,7 @@ namespace mesogen::mesh {
 
 /// Throws Error(bad_case) with the message `what` if the box has walls: modes exist only for periodic fields.
 inline void needs_periodic_box(const Scene& scene, const char* what) {
-  for (int d = 0; d < scene.dimension; ++d)
-    if (!scene.periodic[static_cast<std::size_t>(d)]) throw Error(ExitCode::bad_case, what);
+  if (!scene.endless()) throw Error(ExitCode::bad_case, what);
 }
 
 /// Fourier modes of the fields that an observer sees, in a periodic box. They are fitted to the values of the

@@ -24,6 +24,9 @@ struct WallParticle {
   std::array<double, 3> position{};  ///< in the wall, m
   std::array<double, 3> mirror{};  ///< the point in the fluid, as far from the wall's surface, where it takes values, m
   std::array<double, 3> normal{};  ///< of the surface between the two: a unit vector that points into the fluid
+  /// Of that surface there, 1/m, in three dimensions the mean of both: above 0 where the wall bulges into the fluid.
+  double curvature = 0.0;
+  int wall = 0;  ///< a number of the boundary's own, to tell its walls apart
 };
 
 /// The boundary of the fluid: a region (how space goes on beyond the faces of the box, and where walls are) and
@@ -61,6 +64,9 @@ class MESOGEN_EXPORT Boundary {
   /// [0, box) along every axis. By default it comes in at the other side of a periodic axis, and is reflected at the
   /// ends of the others.
   virtual void keep_inside(const Scene& scene, double* position, std::int32_t* images) const;
+  /// Does a particle that is in the box lie where no fluid is, so that keep_inside must bring it back? Asked whenever
+  /// particles are sorted, in scenes with solids. By default no.
+  [[nodiscard]] virtual bool strays(const double* position) const;
   /// The particles of walls: all that a particle of the fluid can see within `reach` (m). Along periodic axes they lie
   /// inside the box; the framework makes their images. Between a wall particle and its mirror point there may be a
   /// periodic face, but no sheared one. Called once.

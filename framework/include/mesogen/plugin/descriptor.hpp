@@ -15,11 +15,12 @@ class Boundary;
 class Physics;
 class Observer;
 class Initial;
+class Shape;
 
-enum class PluginKind : std::int32_t { kernel = 1, boundary = 2, physics = 3, observer = 4, initial = 5 };
+enum class PluginKind : std::int32_t { kernel = 1, boundary = 2, physics = 3, observer = 4, initial = 5, shape = 6 };
 
 /// Raised whenever a public interface changes.
-#define MESOGEN_ABI 8
+#define MESOGEN_ABI 9
 inline constexpr std::int32_t abi_number = MESOGEN_ABI;
 inline constexpr std::uint64_t descriptor_magic = 0x4e45474f53454d31ULL;  // "1MESOGEN" in memory
 
@@ -36,8 +37,8 @@ struct PluginDescriptor {
   const char* summary;
   /// Those of AllDimensions for which the plugin has a form.
   DimensionSet dimensions;
-  /// A new object of the kind's class, as a pointer to that class (Kernel*, Boundary*, Physics*, Observer* or
-  /// Initial*); nullptr if it has no form for this precision and dimension.
+  /// A new object of the kind's class, as a pointer to that class (Kernel*, Boundary*, Physics*, Observer*,
+  /// Initial* or Shape*); nullptr if it has no form for this precision and dimension.
   void* (*create)(Precision precision, int dimension);
 };
 

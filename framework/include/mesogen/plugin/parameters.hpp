@@ -14,12 +14,18 @@
 
 namespace mesogen {
 
+/// A number, or one of several words.
+struct WordOrNumber {
+  std::string word;  ///< empty: it is the number
+  double number = 0.0;
+};
+
 /// One key of a section of a case. Parsing, checks, `plugin info` and the docs all use it, and nothing else.
 struct MESOGEN_EXPORT Parameter {
   using Rows = std::vector<std::vector<double>>;
   /// Variable that receives the value. The value that it has when the parameter is declared is the default.
   using Target = std::variant<double*, std::optional<double>*, std::int64_t*, bool*, std::string*, std::vector<double>*,
-                              std::vector<std::string>*, Rows*>;
+                              std::vector<std::string>*, Rows*, WordOrNumber*>;
 
   std::string name;  ///< "viscosity"; "bulk.A" means key A of the table `bulk`
   Target target;
@@ -31,6 +37,7 @@ struct MESOGEN_EXPORT Parameter {
   bool lowest_excluded = false;
   bool highest_excluded = false;
   bool is_required = false;
+  std::vector<std::string> word_list;    ///< words that a case may give in place of a WordOrNumber's number
   std::vector<std::string> choice_list;  ///< allowed values of a text, or of each text of a list; empty: any
   std::vector<std::size_t> size_list;    ///< allowed lengths of a list of numbers, or of each row; empty: any
   std::string condition_key;             ///< see only_with; empty: no condition
@@ -68,6 +75,8 @@ class MESOGEN_EXPORT ParameterList {
   Parameter& number(std::string_view name, double& target);
   /// A number, or `word`, which leaves the target without a value: the plugin then decides by itself.
   Parameter& number_or(std::string_view name, std::optional<double>& target, std::string_view word);
+  /// A number, or one of these words.
+  Parameter& word_or_number(std::string_view name, WordOrNumber& target, std::vector<std::string> words);
   Parameter& integer(std::string_view name, std::int64_t& target);
   Parameter& flag(std::string_view name, bool& target);
   Parameter& text(std::string_view name, std::string& target);

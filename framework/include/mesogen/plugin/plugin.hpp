@@ -10,7 +10,8 @@
 ///     MESOGEN_PHYSICS_PLUGIN(Friction, "friction", "1.0.0", "Linear friction on a substrate")    // class template
 ///     MESOGEN_KERNEL_PLUGIN(Quintic, "quintic", "1.0.0", "Quintic spline")                       // class
 ///
-/// and likewise BOUNDARY, INITIAL and OBSERVER (classes). A physics plugin is a class template <class Real, int Dim>.
+/// and likewise BOUNDARY, SHAPE, INITIAL and OBSERVER (classes). A physics plugin is a class template <class Real, int
+/// Dim>.
 ///
 /// A plugin that works in any dimension says nothing. One that does not says so in one line, and a case of another
 /// dimension is refused:
@@ -72,6 +73,8 @@ void* create_form(Precision precision, int dimension) {
   MESOGEN_CLASS_PLUGIN_(kernel, ::mesogen::Kernel, CLASS, NAME, VERSION, SUMMARY)
 #define MESOGEN_BOUNDARY_PLUGIN(CLASS, NAME, VERSION, SUMMARY) \
   MESOGEN_CLASS_PLUGIN_(boundary, ::mesogen::Boundary, CLASS, NAME, VERSION, SUMMARY)
+#define MESOGEN_SHAPE_PLUGIN(CLASS, NAME, VERSION, SUMMARY) \
+  MESOGEN_CLASS_PLUGIN_(shape, ::mesogen::Shape, CLASS, NAME, VERSION, SUMMARY)
 #define MESOGEN_INITIAL_PLUGIN(CLASS, NAME, VERSION, SUMMARY) \
   MESOGEN_CLASS_PLUGIN_(initial, ::mesogen::Initial, CLASS, NAME, VERSION, SUMMARY)
 #define MESOGEN_OBSERVER_PLUGIN(CLASS, NAME, VERSION, SUMMARY) \

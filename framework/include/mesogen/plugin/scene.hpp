@@ -44,9 +44,18 @@ struct Scene {
   Precision precision = Precision::single_precision;
   std::array<double, 3> box{};                     ///< edge lengths, m
   std::array<bool, 3> periodic{true, true, true};  ///< by axis: does the box go on at its other side? Not at walls
-  double spacing = 0.0;                            ///< initial distance of particles dx, m
-  double smoothing_length = 0.0;                   ///< h, m
-  double support = 0.0;                            ///< radius of the kernel, m
+  bool solids = false;                             ///< are there solids in the box
+  double fluid_volume = 0.0;                       ///< what the fluid fills of the box, m^dimension
+  double widest = 0.0;                             ///< largest distance between walls that the fluid has, m
+  /// Does the fluid go on without end along every axis: no walls, no solids?
+  [[nodiscard]] bool endless() const {
+    bool all = !solids;
+    for (int d = 0; d < dimension; ++d) all = all && periodic[static_cast<std::size_t>(d)];
+    return all;
+  }
+  double spacing = 0.0;           ///< initial distance of particles dx, m
+  double smoothing_length = 0.0;  ///< h, m
+  double support = 0.0;           ///< radius of the kernel, m
   /// Largest step x diffusivity for which the Laplacian of this run, with its kernel and time scheme, is stable (with a
   /// margin for disordered particles), m2: limit a diffusion D to steps of diffusion_step / D.
   double diffusion_step = 0.0;

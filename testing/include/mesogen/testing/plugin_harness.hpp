@@ -19,6 +19,7 @@
 #include "mesogen/plugin/passes.hpp"
 #include "mesogen/plugin/physics.hpp"
 #include "mesogen/plugin/scene.hpp"
+#include "mesogen/plugin/shape.hpp"
 #include "mesogen/sph/smoothing_kernel.hpp"
 
 namespace mesogen::testing {
@@ -121,6 +122,7 @@ class MESOGEN_EXPORT PluginHarness {
   /// The tested plugin itself, valid until a field is set. Throws if it is of another kind.
   [[nodiscard]] Kernel& kernel();
   [[nodiscard]] Boundary& boundary();
+  [[nodiscard]] Shape& shape();
   [[nodiscard]] Initial& initial();
   [[nodiscard]] Physics& physics();
   [[nodiscard]] Observer& observer();
