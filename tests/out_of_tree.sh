@@ -37,7 +37,7 @@ if grep -rlP "((?<=-[IL])|(?<![\w.}/-]))(\Q$build\E|\Q$source\E)(?=[/\";\s]|$)" 
   exit 1
 fi
 
-for kind in kernel boundary initial physics observer; do
+for kind in kernel boundary shape initial physics observer; do
   quietly "$mesogen" plugin new $kind my_$kind "own/my_$kind"
   build_and_test "own/my_$kind"
   "$mesogen" plugin list --plugin-path "own/my_$kind/build/plugins" >list
@@ -81,6 +81,27 @@ exact = sum(8 * 0.6 / (0.1 * (n * math.pi) ** 4) * (1 - math.exp(-0.05 * (n * ma
 assert abs(speed / exact - 1) < 0.04, (speed, exact)
 CHECK
 unset MESOGEN_PLUGIN_PATH
+
+cat >solids.toml <<'CASE'
+[domain]
+size = [1.0, 1.0]
+boundary = "periodic_wrap"
+[solids.ring]
+shape = "my_shape"
+fluid = "inside"
+width = 0.36
+[particles]
+spacing = 0.02
+[kernel]
+type = "quintic"
+[physics.flow]
+type = "wcsph"
+density = 1.0
+viscosity = 0.1
+[time]
+end = 0.01
+CASE
+MESOGEN_PLUGIN_PATH=$work/own/my_shape/build/plugins quietly "$mesogen" run solids.toml --output ring
 
 # Installed without further words, a plugin lies where Mesogen finds it.
 quietly cmake --install own/my_physics/build

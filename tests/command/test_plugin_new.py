@@ -29,7 +29,8 @@ class PluginNew(CommandTest):
             self.assertIn(f"cmake -S my_{kind} -B my_{kind}/build -DCMAKE_PREFIX_PATH=", out)
             self.assertIn(f"export MESOGEN_PLUGIN_PATH={os.path.realpath(self.folder)}/my_{kind}/build/plugins"
                           "${MESOGEN_PLUGIN_PATH:+:$MESOGEN_PLUGIN_PATH}\n", out)
-            self.assertIn(f'type = "my_{kind}"' if kind != "boundary" else 'boundary = "my_boundary"', out)
+            key = {"boundary": "boundary", "shape": "shape"}.get(kind, "type")
+            self.assertIn(f'{key} = "my_{kind}"', out)
 
     def test_writes_into_the_folder_that_is_named(self):
         os.mkdir(self.path("empty"))
