@@ -5,6 +5,7 @@
 #include "plugin/plugin_call.hpp"
 #include "run/initial_extent.hpp"
 #include "run/setup_context.hpp"
+#include "solids/surfaces.hpp"
 #include "sph/lattice.hpp"
 #include "text/rounded_text.hpp"
 
@@ -93,6 +94,8 @@ void describe_scene(SetupContext& context) {
   context.attempt(source.boundary, [&] { setup.boundary->prepare(scene); });
   if (setup.confined != nullptr && context.problems.empty()) place_between_solids(context);
   if (!context.problems.empty()) return;
+  scene.surfaces =
+      wall_surfaces(scene, *setup.boundary, setup.confined != nullptr ? &setup.confined->region() : nullptr);
   publish_initial_conditions(context);
   context.attempt(source.boundary, [&] { setup.boundary->scales(scene.scales); });
   if (context.problems.empty()) publish_physics(context);

@@ -30,8 +30,12 @@ class MESOGEN_EXPORT Solid {
   [[nodiscard]] Point normal(const Point& at) const;
   /// The nearest point of its surface.
   [[nodiscard]] Point nearest(const Point& at) const;
+  /// About which it turns, m.
+  [[nodiscard]] const Point& centre() const { return centre_; }
   /// Of its surface, m/s.
   [[nodiscard]] Point velocity(const Point& at) const;
+  /// Has the fluid the velocity of its surface there?
+  [[nodiscard]] bool sticks() const { return keys_.slip.word == "none"; }
   /// How a field goes on from the mirror point into the solid.
   [[nodiscard]] AffineRule rule(const FieldKind& field, const WallParticle& at) const;
 

@@ -32,6 +32,19 @@ struct ActiveAcceleration {
   }
 };
 
+template <class Real>
+struct StressOfQ {
+  FieldView<const Real> order_tensor;
+  FieldView<Real> stress;
+  Real activity;
+
+  MESOGEN_HOST_DEVICE void operator()(Index i) const {
+    stress(0, i) = -activity * order_tensor(0, i);
+    stress(1, i) = stress(2, i) = -activity * order_tensor(1, i);
+    stress(3, i) = activity * order_tensor(0, i);
+  }
+};
+
 /// The same with opposite forces on two particles: -zeta / m sum_j V_i V_j (Q_i + Q_j) . grad W_ij. No momentum is
 /// made, but the sum is exact for uniform Q only where particles are evenly spread.
 template <class Real, int Dim>
@@ -87,6 +100,15 @@ requires(Dim == 2) class ActiveStress final : public Physics {
     Pass& pass =
         list.pass("active stress").accumulates({"acceleration"}).conserves_momentum().idle_if(activity_ == 0.0);
     form_ == "conservative" ? in_pairs(scene, pass) : by_gradient(pass);
+    list.field("stress_active", Rank::matrix).unit("Pa").doc("-zeta Q, row by row; for readers");
+    list.pass("active stress, for readers", Phase::observe)
+        .reads({"order_tensor"})
+        .writes({"stress_active"})
+        .run([this](const PassContext& context) {
+          exec::for_each(context.space(), context.count(),
+                         StressOfQ<Real>{context.read<Real>("order_tensor"), context.write<Real>("stress_active"),
+                                         Real(activity_)});
+        });
   }
 
  private:

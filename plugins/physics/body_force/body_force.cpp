@@ -29,11 +29,11 @@ class BodyForce final : public Physics {
     list.numbers("force", force_).sizes({Dim}).unit("N/m3").required().doc("f: force density along each axis");
   }
 
-  // Against a wall it is pressure.
+  // Against a wall or a solid it is pressure.
   void publish(Scene& scene) const override {
     double& stress = scene.scales.stress;
     for (std::size_t d = 0; d < force_.size(); ++d)
-      if (!scene.periodic.at(d)) stress = std::max(stress, std::abs(force_[d]) * scene.box.at(d));
+      if (scene.solids || !scene.periodic.at(d)) stress = std::max(stress, std::abs(force_[d]) * scene.box.at(d));
   }
 
   void declare(const Scene&, PassList& list) override {

@@ -49,6 +49,27 @@ struct Stress {
   }
 };
 
+/// The whole stress: Pi - K d_i Q : d_j Q + f I, whose divergence is the force; f is the density of the free energy,
+/// A/2 tr Q^2 + C/4 (tr Q^2)^2 + K/2 |grad Q|^2.
+template <class Real, int Dim>
+struct WholeStress {
+  FieldView<const Real> turning, q, gradient;
+  FieldView<Real> stress;
+  Real a, c, k;
+
+  MESOGEN_HOST_DEVICE void operator()(Index i) const {
+    const Real trace = Real(2) * (q(0, i) * q(0, i) + q(1, i) * q(1, i));
+    Real squares = Real(0);
+    for (int n = 0; n < 2 * Dim; ++n) squares += gradient(n, i) * gradient(n, i);
+    const Real energy = trace * (a / Real(2) + c / Real(4) * trace) + k * squares;
+    for (int x = 0; x < Dim; ++x)
+      for (int y = 0; y < Dim; ++y) {
+        const Real pull = gradient(x, i) * gradient(y, i) + gradient(Dim + x, i) * gradient(Dim + y, i);
+        stress(x * Dim + y, i) = turning(x * Dim + y, i) - Real(2) * k * pull + (x == y ? energy : Real(0));
+      }
+  }
+};
+
 template <class Real, int Dim>
 struct Force {
   FieldView<const Real> stress_gradient;  // d Pi_ab / d x_c at (a Dim + b) Dim + c
@@ -105,6 +126,19 @@ requires(Dim == 2) class ElasticStress final : public Physics {
           exec::for_each(context.space(), context.count(),
                          Stress<Real, Dim>{context.read<Real>("order_tensor"), context.read<Real>("molecular_field"),
                                            context.write<Real>("elastic_stress"), Real(lambda_)});
+        });
+    list.field("stress_elastic", Rank::matrix)
+        .unit("Pa")
+        .doc("the whole elastic stress, Pi - K d_i Q : d_j Q + f I with f the density of the free energy; for readers");
+    list.pass("elastic stress, for readers", Phase::observe)
+        .reads({"elastic_stress", "order_tensor", "order_tensor_gradient"})
+        .writes({"stress_elastic"})
+        .run([a = scene.constant("bulk_A"), c = scene.constant("bulk_C"), k](const PassContext& context) {
+          exec::for_each(
+              context.space(), context.count(),
+              WholeStress<Real, Dim>{context.read<Real>("elastic_stress"), context.read<Real>("order_tensor"),
+                                     context.read<Real>("order_tensor_gradient"), context.write<Real>("stress_elastic"),
+                                     Real(a), Real(c), Real(k)});
         });
     list.pass("elastic force")
         .reads({"elastic_stress_gradient", "molecular_field", "order_tensor_gradient", "density"})

@@ -18,6 +18,7 @@
 #include "mesh_flow.hpp"
 #include "mesogen/diagnostics/error.hpp"
 #include "mesogen/nematics/numbers.hpp"
+#include "mesogen/nematics/viscous_stress.hpp"
 #include "mesogen/plugin/physics.hpp"
 #include "mesogen/plugin/plugin.hpp"
 #include "pair_shift.hpp"
@@ -132,6 +133,7 @@ requires(Dim == 2) class Incompressible final : public Physics {
     pass(list, "velocity gradient, for readers", Phase::observe, &MeshFlow<Real, Dim>::velocity_gradient)
         .reads({"velocity"})
         .writes({"velocity_gradient"});
+    nematics::declare_viscous_stress<Real, Dim>(list, fluid_.viscosity);
   }
 
  private:

@@ -7,6 +7,7 @@
 
 #include "equations.hpp"
 #include "fluid.hpp"
+#include "mesogen/nematics/viscous_stress.hpp"
 #include "mesogen/plugin/physics.hpp"
 #include "mesogen/plugin/plugin.hpp"
 #include "sums.hpp"
@@ -72,6 +73,7 @@ class Wcsph final : public Physics {
     Pass& forces = together ? all_together(list) : wcsph::add_momentum<Real, Dim, false>(list, fluid_, form);
     forces.conserves_momentum();
     wcsph::declare_internal_energy<Real>(list, fluid_);
+    nematics::declare_viscous_stress<Real, Dim>(list, fluid_.viscosity());
     wcsph::declare_faster_sound<Real>(list, fluid_);
   }
 

@@ -8,6 +8,7 @@
 #include "equations.hpp"
 #include "fluid.hpp"
 #include "mesogen/diagnostics/error.hpp"
+#include "mesogen/nematics/viscous_stress.hpp"
 #include "mesogen/plugin/physics.hpp"
 #include "mesogen/plugin/plugin.hpp"
 #include "published_passes.hpp"
@@ -87,6 +88,7 @@ class WcsphPublished final : public Physics {
     radial ? wcsph::add_momentum<Real, Dim, true>(list, fluid_, form)
            : wcsph::add_momentum<Real, Dim, false>(list, fluid_, form);
     wcsph::declare_internal_energy<Real>(list, fluid_);
+    nematics::declare_viscous_stress<Real, Dim>(list, fluid_.viscosity());
     if (feedback_) wcsph::add_filter_feedback<Real>(list);
     wcsph::declare_faster_sound<Real>(list, fluid_);
   }

@@ -12,6 +12,7 @@
 #include "mesogen/export.hpp"
 #include "mesogen/fields/field_view.hpp"
 #include "mesogen/fields/rank.hpp"
+#include "mesogen/plugin/wall_surface.hpp"
 
 namespace mesogen {
 
@@ -46,7 +47,8 @@ struct Scene {
   std::array<bool, 3> periodic{true, true, true};  ///< by axis: does the box go on at its other side? Not at walls
   bool solids = false;                             ///< are there solids in the box
   double fluid_volume = 0.0;                       ///< what the fluid fills of the box, m^dimension
-  double widest = 0.0;                             ///< largest distance between walls that the fluid has, m
+  double widest = 0.0;                             ///< with solids: largest distance between walls in the fluid, m
+  std::vector<WallSurface> surfaces;               ///< of walls: faces of the box that are not periodic, then solids
   /// Does the fluid go on without end along every axis: no walls, no solids?
   [[nodiscard]] bool endless() const {
     bool all = !solids;
