@@ -94,9 +94,12 @@ void describe_scene(SetupContext& context) {
   context.attempt(source.boundary, [&] { setup.boundary->prepare(scene); });
   if (setup.confined != nullptr && context.problems.empty()) place_between_solids(context);
   if (!context.problems.empty()) return;
-  scene.surfaces =
-      wall_surfaces(scene, *setup.boundary, setup.confined != nullptr ? &setup.confined->region() : nullptr);
   publish_initial_conditions(context);
+  if (!context.problems.empty()) return;
+  context.attempt(source.boundary, [&] {
+    scene.surfaces =
+        wall_surfaces(scene, *setup.boundary, setup.confined != nullptr ? &setup.confined->region() : nullptr);
+  });
   context.attempt(source.boundary, [&] { setup.boundary->scales(scene.scales); });
   if (context.problems.empty()) publish_physics(context);
 }
