@@ -42,14 +42,14 @@ struct MESOGEN_EXPORT Case {
   };
   /// What the framework reads of [solids.NAME].
   struct Solid {
-    std::string fluid = "outside";            ///< on which side of its surface: inside or outside
-    std::vector<double> velocity{0.0, 0.0};   ///< of the surface, m/s
-    double angular_velocity = 0.0;            ///< about the centre of the shape, rad/s
-    WordOrNumber slip{"none"};                ///< none, free, or a length, m
-    std::string anchoring = "none";           ///< none, tangential, normal or angle
-    double angle = 0.0;                       ///< of the director from the tangent, degrees
-    std::optional<double> anchoring_strength; ///< W, N/m; none: strong
-    double order = 1.0;                       ///< order q that the surface prefers
+    std::string fluid = "outside";             ///< on which side of its surface: inside or outside
+    std::vector<double> velocity{0.0, 0.0};    ///< of the surface, m/s
+    double angular_velocity = 0.0;             ///< about the centre of the shape, rad/s
+    WordOrNumber slip{"none"};                 ///< none, free, or a length, m
+    std::string anchoring = "none";            ///< none, tangential, normal or angle
+    double angle = 0.0;                        ///< of the director from the tangent, degrees
+    std::optional<double> anchoring_strength;  ///< W, N/m; none: strong
+    double order = 1.0;                        ///< order q that the surface prefers
   };
   struct Particles {
     double spacing = 0.0;                 ///< m

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "mesogen/exec/counting_sort.hpp"
 #include "mesogen/neighbours/point_cells.hpp"
@@ -142,6 +143,8 @@ Values mean_around(const std::array<double, 2>& place, const PointCells<2>& cell
   return {sum[0] / weights, sum[1] / weights};
 }
 
+bool is_left_out(const Nodes& nodes, std::size_t n) { return !nodes.left_out.empty() && nodes.left_out[n] != 0; }
+
 template <class Kernel>
 void look_farther(const Scene& scene, const Nodes& nodes, const Carriers& particles, const Kernel& kernel,
                   double radius, std::vector<Values>& means) {
@@ -154,7 +157,7 @@ void look_farther(const Scene& scene, const Nodes& nodes, const Carriers& partic
 #pragma omp parallel for schedule(static)
   for (Index n = 0; n < count; ++n) {
     Values& mean = means[static_cast<std::size_t>(n)];
-    if (!std::isnan(mean[0])) continue;
+    if (!std::isnan(mean[0]) || is_left_out(nodes, static_cast<std::size_t>(n))) continue;
     const std::array place{nodes.first[0] + n % nodes.count[0] * nodes.spacing[0],
                            nodes.first[1] + n / nodes.count[0] * nodes.spacing[1]};
     mean = mean_around(place, cells, kernel, radius, particles.field);
@@ -189,6 +192,8 @@ std::vector<Values> node_means(const Scene& scene, const Nodes& nodes, const Car
     }
     if (unknown) look_farther(scene, nodes, particles, function, radius, means);
   });
+  for (std::size_t n = 0; n < means.size(); ++n)
+    if (is_left_out(nodes, n)) means[n].fill(std::numeric_limits<double>::quiet_NaN());
   return means;
 }
 

@@ -63,6 +63,9 @@ void place_between_solids(SetupContext& context) {
     setup.scene.particle_count = setup.arrangement.count;
     setup.scene.fluid_volume = fluid.volume;
     setup.scene.widest = fluid.widest;
+    setup.scene.depth_in_solid = [&confined = *setup.confined](const std::array<double, 3>& at) {
+      return confined.depth(at);
+    };
   } catch (const Error& error) {
     context.refused = context.refused || error.code() == ExitCode::plugin_refused;
     context.problems.add(source.place("solids"), "solids", error.what());

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <memory>
 #include <string>
 #include <vector>
@@ -37,6 +38,10 @@ class MESOGEN_EXPORT ConfinedBoundary final : public Boundary {
 
   [[nodiscard]] std::vector<Solid>& solids() { return solids_; }
   [[nodiscard]] const FluidRegion& region() const { return *region_; }
+  /// See Scene::depth_in_solid.
+  [[nodiscard]] double depth(const Shape::Point& at) const {
+    return clear_->hold(at.data()) ? 0.0 : std::max(0.0, -region_->distance(at));
+  }
 
   [[nodiscard]] Continuation continuation(int axis) const override { return box_->continuation(axis); }
   [[nodiscard]] std::array<double, 3> shear(const Scene& scene, const std::array<int, 3>& boxes) const override {

@@ -51,13 +51,16 @@ class Gaps {
     const double near = 0.5 * scene_.spacing;
     for (const Point& at : packing.fluid) {
       const double gap = a.distance(at) + b.distance(at);
-      if (gap < narrowest.gap) narrowest = {gap, at, narrowest.touch};
+      if (gap < narrowest.gap && wets(a.nearest(at)) && wets(b.nearest(at))) narrowest = {gap, at, narrowest.touch};
     }
     for (const auto* const points : {&packing.fluid, &packing.solid})
       for (const Point& at : *points)
         narrowest.touch = narrowest.touch || (a.distance(at) < near && b.distance(at) < near);
     return narrowest;
   }
+
+  /// Is a point of a surface not hidden by another solid?
+  [[nodiscard]] bool wets(const Point& surface) const { return region_.distance(surface) > -0.1 * scene_.spacing; }
 
   const FluidRegion& region_;
   const Scene& scene_;

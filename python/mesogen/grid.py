@@ -58,6 +58,20 @@ class Deposit:
         self._read = _stencil_weights(grid, position, _keys)
         self.weight = self._sum(1.0)  # by cell; their total is the number of particles
 
+    @cached_property
+    def coverage(self):
+        """How much of the surroundings of each cell is fluid, shape (ny, nx): 1 in the fluid, 1/2 at the surface of a
+        solid, 0 in it. All 1 where particles fill the box."""
+        weight = self.weight.reshape(self.grid.shape)
+        if not (weight < EMPTY).any():
+            return np.ones(self.grid.shape)
+        return np.minimum(weight / np.median(weight[weight > EMPTY]), 1.0)
+
+    @property
+    def interior(self):
+        """Which cells hold fluid, shape (ny, nx)."""
+        return self.coverage > 0.5
+
     def __call__(self, values):
         """The field at the cell centres, shape (ny, nx), from one number per particle; for smooth fields.
 

@@ -120,6 +120,26 @@ class Spreading(unittest.TestCase):
         self.assertAlmostEqual(field[20, 60], 3, places=12)
 
 
+class Solids(unittest.TestCase):
+    def test_half_of_a_cell_at_the_surface_is_fluid(self):
+        position = synthetic.lattice(np.array([48, 24]))
+        centre, radius = np.array(synthetic.BOX) / 2, 0.3 * min(synthetic.BOX)
+        position = position[np.hypot(*(position - centre).T) > radius]
+        cells = grid.Grid(synthetic.BOX, (48, 24))
+        deposit = grid.Deposit(cells, position)
+        x, y = on(cells)
+        distance = np.hypot(x - centre[0], y - centre[1]) - radius
+        wide = 0.5 * cells.cell.max()
+        self.assertTrue(deposit.interior[distance > wide].all())
+        self.assertFalse(deposit.interior[distance < -wide].any())
+        self.assertEqual(deposit.coverage.max(), 1.0)
+
+    def test_where_particles_fill_the_box_all_is_fluid(self):
+        cells = grid.Grid(synthetic.BOX, (24, 12))
+        deposit = grid.Deposit(cells, disordered(np.array([24, 12])))
+        self.assertEqual(deposit.coverage.min(), 1.0)
+
+
 class Reading(unittest.TestCase):
     def test_sample_at_cell_centres_is_the_field(self):
         cells = grid.Grid(synthetic.BOX, (8, 6))

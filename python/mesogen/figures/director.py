@@ -6,7 +6,7 @@ from matplotlib.colors import LinearSegmentedColormap
 
 from .. import nematics
 from ..grid import sample
-from . import style
+from . import solids, style
 
 # Dark at the cores, pale where the nematic is ordered, so that dark lines stand on it. Perceptually uniform: each
 # colour sits where its lightness L* puts it.
@@ -29,11 +29,12 @@ def draw(axes, scene, lines_across=46):
     """The map. lines_across: director lines along the longer side of the box."""
     q11, q12 = scene.order_tensor
     order = np.hypot(q11, q12)
-    top = float(np.quantile(order, 0.999)) or 1.0
+    top = float(np.quantile(order[scene.deposit.interior], 0.999)) or 1.0
     image = axes.imshow(
         order, origin="lower", extent=scene.grid.extent, cmap=ORDER_COLOURS, vmin=0, vmax=top, interpolation="bicubic"
     )
     draw_lines(axes, scene, lines_across)
+    solids.draw(axes, scene)
     draw_defects(axes, scene, defect_size(scene.box, len(scene.defects)))
     style.box_axes(axes, scene.box, scene.run.length_unit)
     style.titles(axes, "Director and order", scene)
@@ -45,6 +46,7 @@ def draw_lines(axes, scene, lines_across):
     counts = np.maximum(1, np.rint(scene.box / step)).astype(int)
     x, y = ((np.arange(n) + 0.5) * length / n for n, length in zip(counts, scene.box))
     place = np.stack(np.meshgrid(x, y), axis=-1).reshape(-1, 2)
+    place = place[solids.in_fluid(scene, place)]
     angle, order = nematics.director(*(sample(q, scene.grid, place) for q in scene.order_tensor))
     half = 0.41 * step * np.clip(order, 0.55, 1.0)
     along = np.stack([half * np.cos(angle), half * np.sin(angle)], axis=-1)

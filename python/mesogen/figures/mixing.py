@@ -3,7 +3,7 @@
 import numpy as np
 from matplotlib.colors import LinearSegmentedColormap
 
-from . import style
+from . import solids, style
 
 COLOURS = LinearSegmentedColormap.from_list("mixing", ["#f4f1e8", "#e9b872", "#c4553b", "#6d1a36"])
 
@@ -29,6 +29,7 @@ def draw(axes, scene):
     image = axes.imshow(
         colour, origin="lower", extent=grid.extent, cmap=COLOURS, vmin=0, vmax=1, interpolation="bicubic"
     )
+    solids.draw(axes, scene)
     style.box_axes(axes, scene.box, scene.run.length_unit)
     style.titles(axes, "Mixing: colour of the initial quarter", scene)
     style.colour_bar(axes, image, "colour")

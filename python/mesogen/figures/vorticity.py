@@ -3,7 +3,7 @@
 import numpy as np
 
 from ..grid import Grid, sample
-from . import style
+from . import solids, style
 
 STREAM_CELLS = 96  # cells along the longer side are enough for streamlines, and keep them quick
 
@@ -16,12 +16,13 @@ def draw(axes, scene, density=1.5):
     """The map. density: of streamlines, as matplotlib's streamplot takes it."""
     vorticity = scene.vorticity
     # A symmetric scale that a few extreme cells do not stretch.
-    limit = float(np.quantile(np.abs(vorticity), 0.998)) or 1.0
+    limit = float(np.quantile(np.abs(vorticity[scene.deposit.interior]), 0.998)) or 1.0
     image = axes.imshow(
         vorticity, origin="lower", extent=scene.grid.extent, cmap="RdBu_r", vmin=-limit, vmax=limit,
         interpolation="bicubic",
     )
     _draw_streamlines(axes, scene, density)
+    solids.draw(axes, scene)
     style.box_axes(axes, scene.box, scene.run.length_unit)
     style.titles(axes, "Vorticity and streamlines", scene)
     style.colour_bar(axes, image, style.labelled("vorticity", f"1/{scene.run.time_unit}"))

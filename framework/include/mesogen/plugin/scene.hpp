@@ -49,6 +49,8 @@ struct Scene {
   double fluid_volume = 0.0;                       ///< what the fluid fills of the box, m^dimension
   double widest = 0.0;                             ///< with solids: largest distance between walls in the fluid, m
   std::vector<WallSurface> surfaces;               ///< of walls: faces of the box that are not periodic, then solids
+  /// How deep a point of the box lies in a solid, m; 0 in the fluid. Empty without solids.
+  std::function<double(const std::array<double, 3>&)> depth_in_solid;
   /// Does the fluid go on without end along every axis: no walls, no solids?
   [[nodiscard]] bool endless() const {
     bool all = !solids;

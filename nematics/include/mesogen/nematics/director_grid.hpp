@@ -21,8 +21,8 @@ using OrderTensor = std::array<double, 2>;
 /// The order tensor on a regular grid, and the defects of its director.
 ///
 /// The number of nodes along each axis is that of the particle spacings that fit. Between walls the first and last node
-/// are half a spacing off the walls, and no plaquette reaches across them. The value at a node is the mean of the
-/// particles around it, weighted by a kernel; see mesh::node_means.
+/// are half a spacing off the walls, and no plaquette reaches across them. No plaquette lies in a solid. The value at a
+/// node is the mean of the particles around it, weighted by a kernel; see mesh::node_means.
 class DirectorGrid {
  public:
   /// Uses the field `order_tensor` that an observer sees. The weights are the run's kernel with this smoothing length,
@@ -36,6 +36,7 @@ class DirectorGrid {
 
  private:
   [[nodiscard]] std::size_t node(int i, int j) const;
+  [[nodiscard]] std::vector<char> nodes_in_solids(const Scene& scene) const;
   [[nodiscard]] std::vector<Defect> defects_of_row(int j) const;
   /// Returns the point (s, t) in plaquette (i, j), each in [0, 1], where the bilinear interpolation of Q is zero.
   [[nodiscard]] std::array<double, 2> zero(int i, int j) const;
