@@ -40,6 +40,10 @@ std::vector<Fixed> fixed_sections(const Case& before, const Case& after) {
   return all;
 }
 
+/// Of [solids.NAME] what holds at the surface may change, but not where it is.
+const std::set<std::string> changeable_of_solids{"velocity", "angular_velocity",   "slip", "anchoring",
+                                                 "angle",    "anchoring_strength", "order"};
+
 std::set<std::string> keys_of(const Value* section) {
   std::set<std::string> keys;
   const auto* const table = section == nullptr ? nullptr : section->as<Value::Table>();
@@ -108,6 +112,20 @@ void check_branched_case(const Case& before, const Case& after, Problems& proble
       const std::string path = joined(fixed.section, key);
       if (text_at(*old_tree, path) == text_at(*new_tree, path)) continue;
       problems.add(after.place(path), path, "cannot change at a branch: it " + fixed.why);
+    }
+  }
+  std::set<std::string> solids = keys_of(old_tree->find("solids"));
+  solids.merge(keys_of(new_tree->find("solids")));
+  for (const std::string& solid : solids) {
+    std::set<std::string> keys = keys_of(old_tree->find_path(joined("solids", solid)));
+    keys.merge(keys_of(new_tree->find_path(joined("solids", solid))));
+    for (const std::string& key : keys) {
+      const std::string path = joined(joined("solids", solid), key);
+      if (changeable_of_solids.contains(key) || text_at(*old_tree, path) == text_at(*new_tree, path)) continue;
+      problems.add(
+          after.place(path), path,
+          "cannot change at a branch: it says where the solid is, and a branch goes on with the particles that "
+          "the checkpoint has around it");
     }
   }
 }

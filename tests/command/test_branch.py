@@ -119,6 +119,8 @@ class Branches(CommandTest):
                 ("domain.size=[3.2, 1.6]", "domain.size: cannot change at a branch: it is that of the particles in"),
                 ("particles.spacing=0.05", f"particles.spacing: cannot change at a branch: it {particles}"),
                 ("particles.seed=2", f"particles.seed: cannot change at a branch: it {particles}"),
+                ('solids.pillar={shape="disc", centre=[0.8, 0.8], radius=0.3}',
+                 "solids.pillar.centre: cannot change at a branch: it says where the solid is, and a branch goes on"),
                 ("director.order=0.5", f"director.order: cannot change at a branch: it {start}"),
                 ("colour.type=quarter", f"colour.type: cannot change at a branch: it {start}"),
                 ("domain.boundary={type=\"walls\"}", "domain.boundary: cannot change from periodic faces to walls"),
