@@ -59,8 +59,8 @@ void Solid::prepare(const Scene& scene) {
   if (scene.dimension != 2) throw BadParameter("anchoring", "knows the director of two dimensions alone: leave it out");
   const auto elasticity = scene.constants.find("elastic_constant");
   if (elasticity == scene.constants.end())
-    throw BadParameter("anchoring",
-                       "needs a nematic: add a [physics.*] section with type = \"beris_edwards\", or leave it out");
+    throw BadParameter(
+        "anchoring", "needs a nematic: add a [physics.*] section that publishes an elastic_constant, or leave it out");
   if (keys_.anchoring_strength) extrapolation_length_ = elasticity->second / *keys_.anchoring_strength;
 }
 
