@@ -19,6 +19,7 @@ import os
 import pathlib
 import statistics
 import tempfile
+import textwrap
 from dataclasses import dataclass
 
 from speed_runs import PROJECT, call, instruction_set, tell
@@ -160,6 +161,11 @@ def at_equal_error(found, flow):
     return result
 
 
+def wrapped(lines):
+    """Prose in lines of at most 120 characters; rows of tables as they are."""
+    return [part for line in lines for part in ([line] if line.startswith("|") else textwrap.wrap(line, 120) or [""])]
+
+
 def page(found, threads, machine, version):
     """The tables, Markdown."""
     cost = "processor time of stepping" if threads == 1 else f"wall time of stepping, Mesogen with {threads} threads"
@@ -187,7 +193,7 @@ def page(found, threads, machine, version):
             ratio, bound = error[flow].get(across, (math.nan, False))
             row.append("" if math.isnan(ratio) else f"{'> ' if bound else ''}{ratio:.3g}")
         rows.append(row)
-    return "\n".join(lines + table_lines(header, rows)) + "\n"
+    return "\n".join(wrapped(lines + table_lines(header, rows))) + "\n"
 
 
 def draw(found, threads, name):
