@@ -16,7 +16,7 @@ class TypeWriter {
  public:
   explicit TypeWriter(const Parameter& parameter) : parameter_(parameter) {}
 
-  Json operator()(const double*) const { return number("number"); }
+  Json operator()(const double*) const { return varying(number("number")); }
   Json operator()(const std::optional<double>*) const {
     if (parameter_.word.empty()) return number("number");
     return {{"anyOf", {number("number"), {{"const", parameter_.word}}}}};
@@ -32,6 +32,21 @@ class TypeWriter {
   Json operator()(const Parameter::Rows*) const { return {{"type", "array"}, {"items", sized_list()}}; }
 
  private:
+  /// An expression or an image in place of a number that may vary.
+  [[nodiscard]] Json varying(Json number) const {
+    if (!parameter_.given) return number;
+    const Json texts = {{"type", "array"}, {"items", {{"type", "string"}}}};
+    const Json times = {{"type", "array"}, {"items", {{"type", "number"}}}};
+    const Json keys = {{"image", {{"anyOf", {{{"type", "string"}}, texts}}}},
+                       {"low", {{"type", "number"}}},
+                       {"high", {{"type", "number"}}},
+                       {"times", times}};
+    const Json image = {{"type", "object"},
+                        {"properties", keys},
+                        {"required", {"image", "low", "high"}},
+                        {"additionalProperties", false}};
+    return {{"anyOf", {std::move(number), {{"type", "string"}}, image}}};
+  }
   [[nodiscard]] Json number(const char* type) const {
     Json schema = {{"type", type}};
     const auto& p = parameter_;
@@ -45,7 +60,7 @@ class TypeWriter {
     return schema;
   }
   [[nodiscard]] Json sized_list() const {
-    Json schema = {{"type", "array"}, {"items", number("number")}};
+    Json schema = {{"type", "array"}, {"items", varying(number("number"))}};
     Json sizes = Json::array();
     for (const auto size : parameter_.size_list) sizes.push_back({{"minItems", size}, {"maxItems", size}});
     if (sizes.size() == 1) schema.update(sizes.front());

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "case/given_value.hpp"
 #include "case/toml_text.hpp"
 #include "text/nearest.hpp"
 
@@ -19,7 +20,9 @@ class Taker {
 
   std::optional<Refusal> refusal;
 
-  void operator()(double* target, const Value& value) { keep(target, number(value, "")); }
+  void operator()(double* target, const Value& value) {
+    if (!varies(value)) keep(target, number(value, ""));
+  }
   void operator()(std::optional<double>* target, const Value& value) {
     const auto* const text = value.as<std::string>();
     if (text != nullptr && !parameter_.word.empty() && *text == parameter_.word) {
@@ -51,7 +54,9 @@ class Taker {
     *target = *flag;
   }
   void operator()(std::string* target, const Value& value) { keep(target, text(value)); }
-  void operator()(std::vector<double>* target, const Value& value) { keep(target, numbers(value)); }
+  void operator()(std::vector<double>* target, const Value& value) {
+    if (!varies(value)) keep(target, numbers(value));
+  }
   void operator()(Strings* target, const Value& value) {
     const auto* const list = value.as<Value::List>();
     if (list == nullptr) return refuse_type(value);
@@ -76,6 +81,28 @@ class Taker {
   }
 
  private:
+  /// Is it prescribed in space and time? It is then kept as it stands.
+  bool varies(const Value& value) {
+    const auto prescribes = [](const Value& one) {
+      return one.as<std::string>() != nullptr || one.as<Value::Table>() != nullptr;
+    };
+    const auto* const list = value.as<Value::List>();
+    if (!parameter_.given) return false;
+    if (std::holds_alternative<double*>(parameter_.target) ? !prescribes(value)
+                                                           : list == nullptr || std::ranges::none_of(*list, prescribes))
+      return false;
+    if (list != nullptr && !right_size(*list)) {
+      refuse_type(value);
+    } else {
+      parameter_.given->value = value;
+    }
+    return true;
+  }
+  [[nodiscard]] bool right_size(const Value::List& list) const {
+    const auto& sizes = parameter_.size_list;
+    return sizes.empty() || std::ranges::find(sizes, list.size()) != sizes.end();
+  }
+
   [[nodiscard]] std::string with_unit(const std::string& text) const {
     return parameter_.unit_text == "1" ? text : text + " " + parameter_.unit_text;
   }
@@ -134,8 +161,7 @@ class Taker {
 
   std::optional<std::vector<double>> numbers(const Value& value) {
     const auto* const list = value.as<Value::List>();
-    const auto& sizes = parameter_.size_list;
-    if (list == nullptr || (!sizes.empty() && std::find(sizes.begin(), sizes.end(), list->size()) == sizes.end())) {
+    if (list == nullptr || !right_size(*list)) {
       refuse_type(value);
       return std::nullopt;
     }
@@ -163,10 +189,12 @@ std::optional<Value> list_value(const Elements& elements, const Convert& convert
 }
 
 struct Reader {
+  const Parameter& parameter;
+
   std::optional<Value> operator()(const double* target) const { return number(*target); }
   std::optional<Value> operator()(const std::optional<double>* target) const {
     if (*target) return number(**target);
-    return word.empty() ? std::nullopt : std::optional(Value{word, {}});
+    return parameter.word.empty() ? std::nullopt : std::optional(Value{parameter.word, {}});
   }
   std::optional<Value> operator()(const WordOrNumber* target) const {
     return target->word.empty() ? number(target->number) : std::optional(Value{target->word, {}});
@@ -185,7 +213,6 @@ struct Reader {
   static std::optional<Value> number(double value) {
     return std::isfinite(value) ? std::optional(Value{value, {}}) : std::nullopt;
   }
-  const std::string& word;
 };
 
 }  // namespace
@@ -197,7 +224,8 @@ std::optional<Refusal> take_value(const Parameter& parameter, const Value& value
 }
 
 std::optional<Value> current_value(const Parameter& parameter) {
-  const Reader reader{parameter.word};
+  if (parameter.given && parameter.given->value) return parameter.given->value;
+  const Reader reader{parameter};
   return std::visit([&](const auto* target) { return reader(target); }, parameter.target);
 }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "case/given_value.hpp"
 #include "case/parameter_value.hpp"
 #include "case/toml_text.hpp"
 #include "mesogen/diagnostics/error.hpp"
@@ -72,6 +73,12 @@ Parameter& Parameter::sizes(std::vector<std::size_t> allowed) {
   return *this;
 }
 
+Parameter& Parameter::may_vary(std::string_view field) {
+  field_name = field;
+  given = std::make_shared<GivenValue>();
+  return *this;
+}
+
 Parameter& Parameter::only_with(std::string_view other_key, std::vector<std::string> values) {
   condition_key = other_key;
   condition_values = std::move(values);
@@ -91,7 +98,7 @@ std::string Parameter::condition_text() const {
 std::string Parameter::type_text() const {
   struct Names {
     const Parameter& self;
-    std::string operator()(const double*) const { return "number"; }
+    std::string operator()(const double*) const { return "number" + variations(); }
     std::string operator()(const std::optional<double>*) const {
       return self.word.empty() ? "number" : "number or " + text_literal(self.word);
     }
@@ -104,9 +111,12 @@ std::string Parameter::type_text() const {
     std::string operator()(const std::int64_t*) const { return "integer"; }
     std::string operator()(const bool*) const { return "true or false"; }
     std::string operator()(const std::string*) const { return "text"; }
-    std::string operator()(const std::vector<double>*) const { return "list of " + numbers(); }
+    std::string operator()(const std::vector<double>*) const {
+      return "list of " + numbers() + (self.given ? ", expressions or images" : "");
+    }
     std::string operator()(const std::vector<std::string>*) const { return "list of texts"; }
     std::string operator()(const Rows*) const { return "list of lists of " + numbers(); }
+    [[nodiscard]] std::string variations() const { return self.given ? ", expression or image" : ""; }
     [[nodiscard]] std::string numbers() const {
       return self.size_list.empty() ? "numbers" : sizes_text(self.size_list) + " numbers";
     }

@@ -83,7 +83,7 @@ class Counted {
     for (const auto& [name, entry] : setup_.catalogue.all())
       if (entry.declaration.advance == Advance::by_passes) numbers += setup_.catalogue.components(name) * exact;
     for (const LinearTerms& terms : setup_.graph->staged())  // see Stages
-      keep((terms.diffusion > 0.0 ? 3 : 2) * setup_.catalogue.components(terms.field), false);
+      keep((terms.diffusion.any() ? 3 : 2) * setup_.catalogue.components(terms.field), false);
     for (const std::string& name : derived()) keep(setup_.catalogue.components(name), false);
     const double scratch = (number_ == exact || masters ? exact : 0.0) + (number_ == single ? single : 0.0);
     // Room is taken for a sixteenth more than there is.
@@ -96,7 +96,7 @@ class Counted {
     const bool still = flow.velocity.empty() || flow.fixed;
     bool gradient = false;
     bool laplacian =
-        std::ranges::any_of(setup_.graph->staged(), [](const auto& terms) { return terms.diffusion > 0.0; });
+        std::ranges::any_of(setup_.graph->staged(), [](const auto& terms) { return terms.diffusion.any(); });
     for (const std::string& name : setup_.graph->derived_for_integration()) {
       if (!still) break;
       gradient = gradient || name.ends_with("_gradient");
@@ -184,6 +184,12 @@ MemoryForecast forecast_memory(const Setup& setup, double program) {
   double of_plugins = 0.0;
   for (const auto& member : setup.physics) of_plugins += member.passes.memory();
   if (of_plugins > 0.0) forecast.lasting.push_back({"what plugins keep", of_plugins});
+  double pixels = 0.0;
+  for (const Prescribed& one : setup.prescribed)
+    for (const Program& formula : one.components)
+      for (const Film& film : formula.films) pixels += static_cast<double>(film.pixels.size());
+  // With those of the setup.
+  if (pixels > 0.0) forecast.lasting.push_back({"images", 2.0 * sizeof(float) * pixels});
   if (const double weights = counted.weights(); weights > 0.0) forecast.lasting.push_back({"weights", weights});
   // Encoding holds the values, the file in memory, and the bytes that are written.
   const double frame = counted.frame(true) + 2.0 * counted.frame(false);

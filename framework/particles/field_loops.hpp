@@ -1,6 +1,7 @@
 #pragma once
 
 #include "exec/backend.hpp"
+#include "exec/program.hpp"
 #include "mesogen/fields/field_view.hpp"
 
 /// Loops over the values of fields, and over particles that move by them.
@@ -50,34 +51,48 @@ struct AdvectArguments {
   Real sign;
 };
 
-/// rate += (diffusion * laplacian - damping * value) / divisor.
+/// A coefficient that is `number` where `scale`, which may be empty, is `usual`, and varies in proportion to it.
+template <class Real>
+struct ScaledCoefficient {
+  Real number;
+  FieldView<const Real> scale;
+  Real usual;
+
+  MESOGEN_HOST_DEVICE Real operator()(Index i) const { return scale ? number * (scale(i) / usual) : number; }
+};
+
+/// The linear terms of a field; see schedule/linear_terms.hpp.
+template <class Real>
+struct LinearCoefficients {
+  FieldView<const Real> divisor;  ///< may be empty
+  FieldView<const Real> axis;     ///< may be empty: nothing is damped along it
+  ScaledCoefficient<Real> diffusion, damping, damping_along_axis;
+};
+
+/// rate += (diffusion * laplacian - damping * value - damping along the axis) / divisor.
 template <class Real>
 struct LinearArguments {
+  LinearCoefficients<Real> linear;
   FieldView<const Real> value;
   FieldView<const Real> laplacian;  ///< may be empty
-  FieldView<const Real> divisor;    ///< may be empty
   FieldView<Real> rate;
-  Real diffusion, damping;
   int components;
 };
 
 /// One stage of a stabilised step; see time/stages.hpp. For the increment Y of a field since the start of the step,
-///   before = of_latest * latest + of_before * before + of_slope * slope + (diffusion * laplacian - damping * latest) /
-///   divisor.
+///   before = of_latest * latest + of_before * before + of_slope * slope + linear terms of latest
 template <class Real>
 struct StageArguments {
+  LinearCoefficients<Real> linear;
   FieldView<const Real> latest, slope;
-  FieldView<const Real> divisor;  ///< may be empty
   FieldView<Real> before;
-  Real of_latest, of_before, of_slope, diffusion, damping;
+  Real of_latest, of_before, of_slope;
   int components;
 
-  /// For numbers, or for packs of them. `share`: 1 / divisor.
+  /// For numbers, or for packs of them.
   template <class Lane>
   [[gnu::always_inline]] MESOGEN_HOST_DEVICE Lane next(const Lane& latest_one, const Lane& before_one,
-                                                       const Lane& slope_one, const Lane& laplacian,
-                                                       const Lane& share) const {
-    const Lane stiff = share * (laplacian * diffusion - latest_one * damping);
+                                                       const Lane& slope_one, const Lane& stiff) const {
     return latest_one * of_latest + before_one * of_before + (slope_one * of_slope + stiff);
   }
 };
@@ -95,6 +110,8 @@ class FieldLoops {
   virtual void add_linear(const LinearArguments<Real>& arguments, Index count) const = 0;
   /// `laplacian`: of the latest; may be empty.
   virtual void stage(const StageArguments<Real>& arguments, FieldView<const Real> laplacian, Index count) const = 0;
+  /// Evaluates a program at the particles.
+  virtual void evaluate(const EvaluateArguments<Real>& arguments, Index count) const = 0;
   /// to = factor * from.
   virtual void scale(FieldView<const Real> from, Real factor, FieldView<Real> to, int components,
                      Index count) const = 0;

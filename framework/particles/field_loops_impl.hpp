@@ -2,8 +2,10 @@
 
 #include <stdexcept>
 
+#include "exec/program_evaluation.hpp"
 #include "exec/reductions.hpp"
 #include "particles/field_loops.hpp"
+#include "particles/linear_loops.hpp"
 
 /// The loops over fields, compiled by g++ for the host, for each instruction set, and by nvcc for CUDA.
 namespace mesogen::exec {
@@ -158,32 +160,6 @@ struct Advect {
 };
 
 template <class Real, int Components>
-struct AddLinear {
-  LinearArguments<Real> a;
-
-  MESOGEN_HOST_DEVICE void operator()(Index i) const {
-    const Real share = a.divisor ? Real(1) / a.divisor(i) : Real(1);
-    for (int c = 0; c < Components; ++c) {
-      const Real spread = a.laplacian ? a.diffusion * a.laplacian(c, i) : Real(0);
-      a.rate(c, i) += share * (spread - a.damping * a.value(c, i));
-    }
-  }
-};
-
-template <class Real, int Components>
-struct StageOfField {
-  StageArguments<Real> a;
-  FieldView<const Real> laplacian;
-
-  MESOGEN_HOST_DEVICE void operator()(Index i) const {
-    const Real share = a.divisor ? Real(1) / a.divisor(i) : Real(1);
-    for (int c = 0; c < Components; ++c)
-      a.before(c, i) =
-          a.next(a.latest(c, i), a.before(c, i), a.slope(c, i), laplacian ? laplacian(c, i) : Real(0), share);
-  }
-};
-
-template <class Real, int Components>
 struct ScaleField {
   FieldView<const Real> from;
   Real factor;
@@ -216,6 +192,15 @@ class FieldLoopsImpl final : public FieldLoops<Real> {
     for_components(arguments.components, [&]<int N>() {
       for_each(space_, count, StageOfField<Real, N>{arguments, laplacian}, "a stage of a step");
     });
+  }
+  void evaluate(const EvaluateArguments<Real>& arguments, Index count) const override {
+    constexpr const char* what = "prescribed values";
+#ifdef __CUDACC__
+    for_each(space_, count, EvaluateProgram<Real, 1>{arguments, count}, what);
+#else
+    constexpr int lanes = 32;
+    for_each(space_, (count + lanes - 1) / lanes, EvaluateProgram<Real, lanes>{arguments, count}, what);
+#endif
   }
   void scale(FieldView<const Real> from, Real factor, FieldView<Real> to, int components, Index count) const override {
     for_components(components, [&]<int N>() {

@@ -89,19 +89,32 @@ Guard::Guard(State& state, const Catalogue& catalogue, const StepGraph& graph, c
                                            std::find(added.begin(), added.end(), field) != added.end());
     });
   };
+  const auto read_at_each_step = [&](const std::string& field) {
+    return std::ranges::any_of(graph.passes(), [&](const ScheduledPass& scheduled) {
+      const Pass& pass = scheduled.pass;
+      return scheduled.for_integration &&
+             std::ranges::any_of(std::array{&pass.own_reads, &pass.neighbour_reads, &pass.optional_reads},
+                                 [&](const auto* list) { return std::ranges::find(*list, field) != list->end(); });
+    });
+  };
+  const auto up_to_date = [&](const std::string& field) {
+    return catalogue.is_state(field) || made_at_each_step(field) ||
+           (catalogue.is_prescribed(field) && read_at_each_step(field));
+  };
   for (const auto& [name, entry] : catalogue.all())
-    if (entry.declaration.bounds && (catalogue.is_state(name) || made_at_each_step(name)))
-      fields_.push_back({&state.fields.at(name), *entry.declaration.bounds});
+    if (entry.declaration.bounds && up_to_date(name))
+      fields_.push_back({&state.fields.at(name), *entry.declaration.bounds, entry.prescribed});
   looks_for_pairs_ = integrator.moves() && graph.sums_pairs();
   if (integrator.moves() && !graph.derived_for_integration().empty()) volume_ = &state.fields.at("volume");
 }
 
 void Guard::check(const Motion& motion) const {
+  if (!motion.finite) check_prescribed();
   check_finite(motion);
   check_speed(motion);
   check_step(motion);
   std::vector<exec::Reduction> outside;
-  for (const auto& [field, bounds] : fields_)
+  for (const auto& [field, bounds, prescribed] : fields_)
     outside.push_back(look_outside(state_, *field, bounds.lowest, bounds.highest));
   if (volume_ != nullptr)
     outside.push_back(
@@ -112,6 +125,16 @@ void Guard::check(const Motion& motion) const {
     if (is_outside(n)) stop_at_field(fields_[n]);
   if (volume_ != nullptr && is_outside(fields_.size())) stop_at_volume();
   if (looks_for_pairs_ && state_.step % steps_between_looks == 0) check_distances();
+}
+
+// What the case gives is the cause of what comes of it.
+void Guard::check_prescribed() const {
+  for (const Guarded& guarded : fields_) {
+    if (!guarded.prescribed) continue;
+    const exec::Reduction outside = look_outside(state_, *guarded.field, guarded.bounds.lowest, guarded.bounds.highest);
+    state_.backend.wait();
+    if (state_.backend.found(outside) > 0.0) stop_at_field(guarded);
+  }
 }
 
 void Guard::check_finite(const Motion& motion) const {
@@ -151,7 +174,7 @@ void Guard::check_step(const Motion& motion) const {
 }
 
 void Guard::stop_at_field(const Guarded& guarded) const {
-  const auto& [field, bounds] = guarded;
+  const auto& [field, bounds, prescribed] = guarded;
   const Index place = farthest_outside(*field, state_.particles.count(), bounds.lowest, bounds.highest);
   stop("broke down: '" + field->name() + "' is " +
            rounded_text(length_of(field->reader(), field->components(), place)) + " at " + particle(place) +

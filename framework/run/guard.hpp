@@ -33,8 +33,10 @@ class MESOGEN_EXPORT Guard {
   struct Guarded {
     Field* field;
     FieldBounds bounds;
+    bool prescribed;  ///< by the case
   };
 
+  void check_prescribed() const;
   void check_speed(const Motion& motion) const;
   void check_step(const Motion& motion) const;
   void check_distances() const;

@@ -34,7 +34,7 @@ void refuse_few_neighbours(const Setup& setup, Problems& problems) {
   const Transport& flow = graph.transport();
   const NeighbourNeeds needs{
       .quadratic = source.laplacian == "consistent" &&
-                   (std::ranges::any_of(graph.staged(), [](const auto& terms) { return terms.diffusion > 0.0; }) ||
+                   (std::ranges::any_of(graph.staged(), [](const auto& terms) { return terms.diffusion.any(); }) ||
                     std::ranges::any_of(derived, [](const std::string& name) { return name.ends_with("_laplacian"); })),
       .moving = !flow.velocity.empty() && !flow.fixed};
   if (const std::string problem = neighbours_problem(source, setup.smoothing, needs); !problem.empty())

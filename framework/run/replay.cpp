@@ -57,13 +57,22 @@ std::string Replay::missing_source(const std::string& field) const {
     if (scheduled.pass.phase != Phase::observe ||
         std::ranges::find(scheduled.pass.write_list, field) == scheduled.pass.write_list.end())
       continue;
-    for (const auto* const list : {&scheduled.pass.own_reads, &scheduled.pass.neighbour_reads})
+    for (const auto* const list :
+         {&scheduled.pass.own_reads, &scheduled.pass.neighbour_reads, &scheduled.pass.optional_reads})
       for (const std::string& source : *list)
-        if (std::string missing = missing_source(source); !missing.empty()) return missing;
+        if (std::string missing = setup_.catalogue.exists(source) ? missing_source(source) : ""; !missing.empty())
+          return missing;
+    return {};
+  }
+  const Catalogue::Entry* const entry = setup_.catalogue.find(field);
+  if (entry != nullptr && entry->prescribed) {
+    // Made anew, also where frames hold it.
+    for (const std::string& source : entry->sources)
+      if (std::string missing = missing_source(source); !missing.empty()) return missing;
     return {};
   }
   if (frames_.find(field) != nullptr || never_changes(field)) return {};
-  if (setup_.catalogue.find(field) != nullptr) return field;
+  if (entry != nullptr) return field;
   const DerivedName derived = derived_name(field);
   return derived.source.empty() ? std::string() : missing_source(derived.source);
 }

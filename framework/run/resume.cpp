@@ -58,6 +58,11 @@ ExitCode resume_run(const PluginRegistry& registry, const RunOptions& options, c
   check_resumed_values(read_case_text(text, file, {}, problems), setup->source, {checkpoint.time, checkpoint.step_size},
                        problems);
   problems.throw_if_any();
+  if (depends_on_end(*setup)) {
+    const auto before = set_up(read_case_text(text, file, {}, problems), registry, problems);
+    check_resumed_values(*before, *setup, options.folder.string(), problems);
+    problems.throw_if_any();
+  }
   if (off_course(checkpoint, end))
     checkpoint = read_newest_checkpoint(options.folder, &which, nullptr, [&](const Checkpoint& read) -> std::string {
       if (std::string fault = unfit(read, setup->resolved_text); !fault.empty()) return fault;

@@ -74,6 +74,21 @@ void check_resumed_values(const Case& before, const Case& after, const Arrival& 
                              fmt::join(until(before.output.checkpoint_times, now.reaches()), ", ")));
 }
 
+bool depends_on_end(const Setup& setup) { return std::ranges::any_of(setup.prescribed, &Prescribed::changes_in_time); }
+
+void check_resumed_values(const Setup& before, const Setup& after, const std::string& folder, Problems& problems) {
+  for (std::size_t n = 0; n < after.prescribed.size(); ++n) {
+    const Prescribed& one = after.prescribed[n];
+    if (n < before.prescribed.size() && before.prescribed[n].largest == one.largest) continue;
+    problems.add(
+        {"--set", 0, 0}, "time.end",
+        fmt::format("cannot be {}: {} gets larger on the way there than up to t = {}, by which the run chose its "
+                    "steps and its speed of sound; `mesogen branch {} NEW --set time.end={}` goes on with others",
+                    after.source.units.time_text(after.source.time.end), full_key(one),
+                    after.source.units.time_text(before.source.time.end), folder, after.source.time.end));
+  }
+}
+
 std::string without_resumable_keys(std::string_view resolved_text) {
   Problems problems;
   const auto tree = parse_toml(resolved_text, "case.toml", problems);

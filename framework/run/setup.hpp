@@ -12,6 +12,7 @@
 #include "mesogen/plugin/scene.hpp"
 #include "mesogen/sph/smoothing_kernel.hpp"
 #include "plugin/registry.hpp"
+#include "prescribed/prescribed.hpp"
 #include "schedule/catalogue.hpp"
 #include "schedule/step_graph.hpp"
 #include "solids/confined_boundary.hpp"
@@ -52,6 +53,7 @@ struct MESOGEN_EXPORT Setup {
   std::vector<InitialMember> initial;
   std::vector<PhysicsMember> physics;
   std::vector<ObserverMember> observers;
+  std::vector<Prescribed> prescribed;  ///< numbers of the physics that vary in space and time
   Arrangement arrangement;
   Scene scene;
   sph::SmoothingKernel smoothing;

@@ -1,5 +1,9 @@
 #pragma once
 
+#include <map>
+#include <string>
+#include <vector>
+
 #include "case/resolved.hpp"
 #include "mesogen/diagnostics/error.hpp"
 #include "run/setup.hpp"
@@ -13,7 +17,9 @@ struct SetupContext {
   Problems& problems;
   const SetupAdditions& additions;
   ResolvedCase resolved;
-  bool refused = false;          ///< a plugin that the case needs
+  std::vector<Prescribed> prescribed;                        ///< all that is, also if it comes out the same everywhere
+  std::map<std::string, std::vector<std::string>> may_vary;  ///< keys, by the name of the field that they may become
+  bool refused = false;                                      ///< a plugin that the case needs
   bool initial_missing = false;  ///< no plugin has the name of some section: do not ask as well for what it would set
 
   /// What a plugin finds wrong by itself is one problem among the others.
@@ -35,6 +41,11 @@ struct SetupContext {
 // setup_plugins.cpp: the plugins of the case, with their parameters.
 void make_plugins(SetupContext& context);
 void choose_kernel(SetupContext& context);
+
+// setup_prescribed.cpp: what the case prescribes in space and time, with the constants that plugins have published so
+// far, and how large it gets where particles start; the fields.
+void find_prescribed(SetupContext& context, Problems& problems);
+void collect_prescribed_fields(SetupContext& context);
 
 // setup_scene.cpp: the scene, as plugins see it and add to it.
 void describe_scene(SetupContext& context);

@@ -71,6 +71,7 @@ void collect_fields(SetupContext& context) {
       const auto& member = setup.physics[n];
       for (const FieldDeclaration& field : member.passes.fields()) setup.catalogue.add(field, member.instance);
     });
+  collect_prescribed_fields(context);
   collect_initial_fields(context);
   if (context.additions.fields) context.additions.fields(setup);
   if (context.initial_missing) return;

@@ -40,15 +40,31 @@ auto make(SetupContext& context, PluginKind kind, const PluginChoice& choice, Ma
   }
 }
 
-/// Reads the parameters of a plugin, which goes if they are wrong.
+void refuse_varying(const PluginChoice& choice, const ParameterList& list) {
+  for (const Parameter& parameter : list.all())
+    if (parameter.given)
+      throw Error(ExitCode::plugin_refused, "plugin \"" + choice.type + "\": the parameter \"" + parameter.name +
+                                                "\" may not vary: only numbers of physics plugins may");
+}
+
+/// Reads the parameters of a plugin, which goes if they are wrong. `prescribed`: of a physics plugin, receives what
+/// varies.
 template <class Plugin>
-void read_parameters(SetupContext& context, const PluginChoice& choice, Plugin& plugin) {
+void read_parameters(SetupContext& context, const PluginChoice& choice, Plugin& plugin,
+                     std::vector<Prescribed>* prescribed = nullptr) {
   if (!plugin) return;
   bool understood = false;
   context.attempt(choice, [&] {
     ParameterList list;
     call_plugin(choice.type, "parameters()", [&] { plugin->parameters(list); });
+    if (prescribed == nullptr) refuse_varying(choice, list);
     choice.read(list, context.problems);
+    if (prescribed != nullptr) {
+      for (Prescribed& one : prescribed_in("physics." + choice.instance, choice.section, list))
+        prescribed->push_back(std::move(one));
+      for (const Parameter& parameter : list.all())
+        if (parameter.given) context.may_vary[parameter.field_name].push_back(choice.section.full_key(parameter.name));
+    }
     context.resolved.add(choice.section, list);
     understood = true;
   });
@@ -115,7 +131,7 @@ void make_physics(SetupContext& context, const PluginChoice& choice) {
     return on_device ? context.registry.make_physics_for_cuda(type, precision, dimension)
                      : context.registry.make_physics(type, precision, dimension);
   });
-  read_parameters(context, choice, plugin);
+  read_parameters(context, choice, plugin, &context.prescribed);
   if (plugin) setup.physics.push_back({"physics." + choice.instance, std::move(plugin), {}, choice.type, on_device});
 }
 

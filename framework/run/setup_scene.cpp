@@ -50,6 +50,16 @@ void publish_initial_conditions(SetupContext& context) {
   }
 }
 
+/// Numbers that vary depend on constants, and constants on them: all tell theirs again. Scales are told later.
+void settle_prescribed(SetupContext& context, Problems& problems) {
+  if (context.prescribed.empty() || !problems.empty()) return;
+  find_prescribed(context, problems);
+  if (!problems.empty()) return;
+  const Scales told = context.setup.scene.scales;
+  publish_physics(context);
+  context.setup.scene.scales = told;
+}
+
 /// What the solids leave of the lattice.
 void place_between_solids(SetupContext& context) {
   Setup& setup = context.setup;
@@ -92,12 +102,17 @@ void describe_scene(SetupContext& context) {
   scene.particle_count = setup.arrangement.count;
   scene.diffusion_step = diffusion_margin * stable_rate(source.time.scheme) / largest_laplacian(setup);
   publish_physics(context);
+  Problems early;  // what is wrong is told once more when the scene is complete
+  settle_prescribed(context, early);
   scene.scales = {};  // what was told of an incomplete scene does not count: all tell it again
   if (context.additions.scene) context.additions.scene(scene);
   context.attempt(source.boundary, [&] { setup.boundary->prepare(scene); });
   if (setup.confined != nullptr && context.problems.empty()) place_between_solids(context);
   if (!context.problems.empty()) return;
+  settle_prescribed(context, context.problems);
+  if (!context.problems.empty()) return;
   publish_initial_conditions(context);
+  settle_prescribed(context, context.problems);
   if (!context.problems.empty()) return;
   context.attempt(source.boundary, [&] {
     scene.surfaces =

@@ -64,7 +64,7 @@ double longest_step(const Setup& setup) {
 double cost_of_step(const Setup& setup, double step_size) {
   double laplacians = 0.0;
   for (const auto& [terms, components] : find_staged(setup))
-    if (terms.diffusion > 0.0)
+    if (terms.diffusion.any())
       laplacians += components * stages_needed(largest_rate(terms, largest_laplacian(setup)), step_size);
   return other_cost + laplacian_cost * laplacians;
 }

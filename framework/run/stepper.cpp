@@ -20,7 +20,7 @@ constexpr std::int64_t steps_between_orderings = 32;
 const std::string acceleration_name = "largest acceleration";  // in checkpoints
 
 bool diffuses(const std::vector<LinearTerms>& staged) {
-  return std::ranges::any_of(staged, [](const LinearTerms& terms) { return terms.diffusion > 0.0; });
+  return std::ranges::any_of(staged, [](const LinearTerms& terms) { return terms.diffusion.any(); });
 }
 
 TimeScheme time_scheme(const std::string& name) {
@@ -32,10 +32,12 @@ TimeScheme time_scheme(const std::string& name) {
 Stepper::Stepper(Setup& setup)
     : setup_(setup),
       state_(state_at_start(setup)),
+      prescribed_(*state_, setup.prescribed),
       derived_(*state_, setup.catalogue, setup.graph->derived_for_integration(), setup.graph->derived_for_readers(),
                DerivedFields::Form{.consistent_laplacian = setup.source.laplacian == "consistent",
                                    .particles_move = moves(setup.graph->transport()),
-                                   .stages = diffuses(setup.graph->staged())}),
+                                   .stages = diffuses(setup.graph->staged())},
+               &prescribed_),
       executor_(*state_, *setup.graph, derived_),
       stages_(*state_, derived_, setup.graph->staged(), largest_laplacian(setup)),
       integrator_(*state_, setup.catalogue, setup.graph->transport(), time_scheme(setup.source.time.scheme), stages_),
@@ -150,6 +152,7 @@ std::vector<Counter> Stepper::shares() const {
   std::vector<Counter> all = {integration_, guarding_};
   for (const ScheduledPass& scheduled : setup_.graph->passes())
     if (!scheduled.pruned()) all.push_back(scheduled.counter);
+  if (!setup_.prescribed.empty()) all.push_back(prescribed_.counter());
   for (const auto& counters :
        {derived_.counters(), std::vector{state_->order.counter(), state_->boundary_values.counter()}})
     all.insert(all.end(), counters.begin(), counters.end());

@@ -65,6 +65,7 @@ class MESOGEN_EXPORT Stepper {
 
   Setup& setup_;
   std::unique_ptr<State> state_;
+  PrescribedFields prescribed_;
   DerivedFields derived_;
   Executor executor_;
   Stages stages_;

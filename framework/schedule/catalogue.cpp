@@ -1,5 +1,7 @@
 #include "schedule/catalogue.hpp"
 
+#include <utility>
+
 #include "mesogen/diagnostics/error.hpp"
 #include "schedule/derived_name.hpp"
 
@@ -36,6 +38,14 @@ void Catalogue::add_initial(const FieldDeclaration& declaration, const std::stri
                                         std::string(to_string(declaration.rank)));
   entry.initial = true;
   entry.set_by = owner;
+}
+
+void Catalogue::add_prescribed(const FieldDeclaration& declaration, const std::string& owner,
+                               std::vector<std::string> sources) {
+  add(declaration, owner);
+  Entry& entry = entries_.find(declaration.name)->second;
+  entry.prescribed = true;
+  entry.sources = std::move(sources);
 }
 
 const Catalogue::Entry* Catalogue::find(std::string_view field) const {

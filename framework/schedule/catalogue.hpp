@@ -17,9 +17,11 @@ class MESOGEN_EXPORT Catalogue {
  public:
   struct Entry {
     FieldDeclaration declaration;
-    std::string owner;        ///< instance, "director", ...
-    bool initial = false;     ///< the initial conditions set it
-    std::string set_by = {};  ///< which one
+    std::string owner;                      ///< instance, "director", ...
+    bool initial = false;                   ///< the initial conditions set it
+    std::string set_by = {};                ///< which one
+    bool prescribed = false;                ///< by the case
+    std::vector<std::string> sources = {};  ///< fields that it then depends on
   };
 
   explicit Catalogue(int dimension) : dimension_(dimension) {}
@@ -29,6 +31,13 @@ class MESOGEN_EXPORT Catalogue {
   /// A field that the initial conditions set, whether or not a plugin knows it.
   void add_initial(const FieldDeclaration& declaration, const std::string& owner);
 
+  /// A field that the case prescribes in space and time, and what fields it depends on.
+  void add_prescribed(const FieldDeclaration& declaration, const std::string& owner, std::vector<std::string> sources);
+
+  [[nodiscard]] bool is_prescribed(std::string_view field) const {
+    const Entry* const entry = find(field);
+    return entry != nullptr && entry->prescribed;
+  }
   [[nodiscard]] const Entry* find(std::string_view field) const;
   /// Does the scene have this field, declared or derived from a declared one?
   [[nodiscard]] bool exists(std::string_view field) const;

@@ -30,8 +30,9 @@ struct DerivedFields::WeightsOf final : Weights {
 DerivedFields::~DerivedFields() = default;
 
 DerivedFields::DerivedFields(State& state, const Catalogue& catalogue, const std::set<std::string>& for_integration,
-                             const std::vector<std::set<std::string>>& for_readers, const Form& form)
-    : state_(state), form_(form) {
+                             const std::vector<std::set<std::string>>& for_readers, const Form& form,
+                             PrescribedFields* prescribed)
+    : state_(state), prescribed_(prescribed), form_(form) {
   std::set<std::string> all = for_integration;
   for (const auto& reader : for_readers) all.insert(reader.begin(), reader.end());
   if (all.empty()) return;
@@ -124,10 +125,13 @@ bool DerivedFields::stale(const PairPass& pass) const {
 }
 
 void DerivedFields::make(const std::string& field) {
+  if (prescribes(field)) return prescribed_->make(field);
   for (const std::size_t n : pass_of_.at(field)) {
     // A gradient of a gradient: its source first.
-    for (const Component& component : passes_[n].components)
-      if (has(component.source->name())) make(component.source->name());
+    for (const Component& component : passes_[n].components) {
+      const std::string& source = component.source->name();
+      if (has(source) || prescribes(source)) make(source);
+    }
     if (stale(passes_[n])) run(passes_[n]);
   }
 }

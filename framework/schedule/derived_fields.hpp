@@ -9,6 +9,7 @@
 
 #include "mesogen/export.hpp"
 #include "schedule/catalogue.hpp"
+#include "schedule/prescribed_fields.hpp"
 #include "schedule/state.hpp"
 
 namespace mesogen {
@@ -33,14 +34,19 @@ class MESOGEN_EXPORT DerivedFields {
     bool particles_move = true;
     bool stages = false;  ///< laplacian() will be called many times in a step
   };
+  /// `prescribed`: fields from which others may be derived; null: there are none.
   DerivedFields(State& state, const Catalogue& catalogue, const std::set<std::string>& for_integration,
-                const std::vector<std::set<std::string>>& for_readers, const Form& form);
+                const std::vector<std::set<std::string>>& for_readers, const Form& form,
+                PrescribedFields* prescribed = nullptr);
   DerivedFields(const DerivedFields&) = delete;
   DerivedFields& operator=(const DerivedFields&) = delete;
   ~DerivedFields();
 
   [[nodiscard]] bool has(const std::string& field) const { return pass_of_.contains(field); }
-  /// Brings a derived field up to date.
+  [[nodiscard]] bool prescribes(const std::string& field) const {
+    return prescribed_ != nullptr && prescribed_->has(field);
+  }
+  /// Brings a derived field, or one that is prescribed, up to date.
   void make(const std::string& field);
   /// The Laplacian of any field now, which is brought up to date at ghosts and walls; `result` has as many components.
   void laplacian(Field& source, Field& result);
@@ -84,6 +90,7 @@ class MESOGEN_EXPORT DerivedFields {
   const sph::FixedWeights<Real, Dim>& weights(const Neighbours<Real, Dim>& neighbours);
 
   State& state_;
+  PrescribedFields* prescribed_;
   Form form_;
   std::vector<PairPass> passes_;
   std::map<std::string, std::vector<std::size_t>> pass_of_;

@@ -173,6 +173,7 @@ void Executor::run(ScheduledPass& scheduled) {
 }
 
 void Executor::prepare(const std::string& field, Purpose purpose) {
+  if (derived_.prescribes(field)) return derived_.make(field);
   if (!derived_.has(field)) return;
   settle(purpose);
   derived_.make(field);

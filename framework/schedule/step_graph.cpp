@@ -63,8 +63,8 @@ StepGraph::StepGraph(const Catalogue& catalogue, const std::vector<Member>& memb
   for (const std::string& field : {transport_.velocity, transport_.shift})
     if (!field.empty()) follow(field, "the time integration", integration);
   for (const LinearTerms& terms : staged_) {
-    if (terms.diffusion > 0.0) follow("volume", "the time integration", integration);
-    if (!terms.divisor.empty()) follow(terms.divisor, "the time integration", integration);
+    if (terms.diffusion.any()) follow("volume", "the time integration", integration);
+    for (const std::string& field : terms.fields()) follow(field, "the time integration", integration);
   }
   for (ScheduledPass& scheduled : passes_)
     if (scheduled.pass.at_every_step) mark(scheduled, integration);
@@ -116,7 +116,8 @@ void StepGraph::add_linear_terms(const std::vector<Member>& members, const Backe
     Pass pass;
     pass.name = "stages of " + terms.field;
     pass.accumulates({terms.rate}).run([](const PassContext&) {});
-    if (terms.damping == 0.0) pass.conserves_momentum();
+    for (const std::string& field : terms.fields()) pass.reads({field});
+    if (!terms.damps()) pass.conserves_momentum();
     add_own(terms.owner, std::move(pass));
   }
 }
@@ -194,6 +195,10 @@ void StepGraph::check_fields() const {
                                                               entry->declaration.advance != Advance::by_passes)
           throw Error(ExitCode::bad_case, "[" + entry->set_by + "] sets '" + field + "', which '" + scheduled.title() +
                                               "' makes at each step: remove that section");
+        else if (catalogue_.is_prescribed(field))
+          throw Error(ExitCode::bad_case, "'" + scheduled.title() + "' makes '" + field + "', which " +
+                                              catalogue_.find(field)->owner +
+                                              " prescribes: give a number there, or remove one of the two");
         else if (catalogue_.is_state(field))
           throw Error(ExitCode::plugin_refused,
                       "'" + scheduled.title() + "' writes '" + field +
@@ -227,7 +232,10 @@ void StepGraph::follow(const std::string& field, const std::string& wanted_by, N
       return;
     }
   }
-  bool made = catalogue_.is_state(field);
+  const bool given = catalogue_.is_prescribed(field);
+  if (given)
+    for (const std::string& source : catalogue_.find(field)->sources) follow(source, "'" + field + "'", need);
+  bool made = given || catalogue_.is_state(field);
   if (!made) {
     for (ScheduledPass* const scheduled : makers(field, need.integration)) {
       made = true;

@@ -61,6 +61,11 @@ void Solid::prepare(const Scene& scene) {
   if (elasticity == scene.constants.end())
     throw BadParameter(
         "anchoring", "needs a nematic: add a [physics.*] section that publishes an elastic_constant, or leave it out");
+  if (keys_.anchoring_strength && scene.varying.contains("elastic_constant"))
+    throw BadParameter(
+        "anchoring_strength",
+        "is a strength against an elastic_constant that is the same everywhere: give that as a number, or "
+        "take anchoring_strength = \"strong\"");
   if (keys_.anchoring_strength) extrapolation_length_ = elasticity->second / *keys_.anchoring_strength;
 }
 

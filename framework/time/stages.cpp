@@ -42,7 +42,8 @@ struct Coefficients {
 }  // namespace
 
 double largest_rate(const LinearTerms& terms, double eigenvalue) {
-  return margin * (terms.diffusion * eigenvalue + terms.damping) / terms.usual_divisor;
+  return margin * (terms.diffusion.number * eigenvalue + terms.damping.number + terms.damping_along_axis.number) /
+         terms.usual_divisor;
 }
 
 int stages_needed(double rate, double step_size) {
@@ -64,7 +65,7 @@ Stages::Stages(State& state, DerivedFields& derived, const std::vector<LinearTer
       return &made;
     };
     increments_[terms.field] = {{add("increment"), add("earlier increment")},
-                                terms.diffusion > 0.0 ? add("Laplacian in stages") : nullptr};
+                                terms.diffusion.any() ? add("Laplacian in stages") : nullptr};
   }
 }
 
@@ -85,15 +86,20 @@ void Stages::take(const LinearTerms& terms, double step_size) {
 }
 
 template <class Real>
+exec::LinearCoefficients<Real> Stages::coefficients(const LinearTerms& terms, double times) const {
+  return linear_coefficients<Real>(terms, times, [this](const std::string& field) {
+    return std::as_const(state_.fields.at(field)).template view<Real>(device);
+  });
+}
+
+template <class Real>
 void Stages::add_linear(const LinearTerms& terms, const Increments& increments) {
   exec::LinearArguments<Real> all{};
   Field& rate = state_.fields.at(terms.rate);
   all.value = std::as_const(state_.fields.at(terms.field)).view<Real>(device);
   if (increments.laplacian != nullptr) all.laplacian = std::as_const(*increments.laplacian).view<Real>(device);
-  if (!terms.divisor.empty()) all.divisor = std::as_const(state_.fields.at(terms.divisor)).view<Real>(device);
+  all.linear = coefficients<Real>(terms, 1.0);
   all.rate = rate.view<Real>(device, exec::Access::read_write);
-  all.diffusion = Real(terms.diffusion);
-  all.damping = Real(terms.damping);
   all.components = rate.components();
   state_.backend.fields<Real>().add_linear(all, state_.particles.count());
 }
@@ -108,7 +114,6 @@ void Stages::run(const LinearTerms& terms, const Increments& increments, double 
   Field* before = increments.field[1];
   exec::StageArguments<Real> stage{};
   stage.slope = std::as_const(rate).view<Real>(device);
-  if (!terms.divisor.empty()) stage.divisor = std::as_const(state_.fields.at(terms.divisor)).view<Real>(device);
   stage.components = rate.components();
   // Y_0 = 0, Y_1 = b_1 w dt M_0.
   before->fill_zero();
@@ -123,8 +128,7 @@ void Stages::run(const LinearTerms& terms, const Increments& increments, double 
     stage.of_latest = Real(of.mu);
     stage.of_before = Real(of.nu);
     stage.of_slope = Real(step_size * (of.mu_tilde + of.gamma_tilde));
-    stage.diffusion = Real(step_size * of.mu_tilde * terms.diffusion);
-    stage.damping = Real(step_size * of.mu_tilde * terms.damping);
+    stage.linear = coefficients<Real>(terms, step_size * of.mu_tilde);
     increments.laplacian != nullptr ? derived_.stage(*latest, stage, *increments.laplacian)
                                     : loops.stage(stage, {}, count);
     ++before->version;

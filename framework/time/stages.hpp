@@ -39,6 +39,8 @@ class MESOGEN_EXPORT Stages {
     Field* laplacian;             // of either; null if nothing diffuses
   };
   template <class Real>
+  [[nodiscard]] exec::LinearCoefficients<Real> coefficients(const LinearTerms& terms, double times) const;
+  template <class Real>
   void add_linear(const LinearTerms& terms, const Increments& increments);
   template <class Real>
   void run(const LinearTerms& terms, const Increments& increments, double step_size, int stages);

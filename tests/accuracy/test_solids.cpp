@@ -122,4 +122,24 @@ TEST(BetweenSolids, WeakAnchoringLetsTheNematicSlip) {
   for (std::size_t n = 0; n < y.size(); ++n) EXPECT_NEAR(q12[n], (y[n] - 0.5) / 1.3, 0.02 * 0.3 / 1.3) << "at " << y[n];
 }
 
+// Two defects of small cores in a passive disc settle opposite each other at 5^(-1/4) R (Duclos et al., Nature Physics
+// 13, 58 (2017)). Cores of R / 30.
+TEST(BetweenSolidsLong, TwoDefectsSettleWhereTheyRepelEachOtherAndTheRim) {
+  CaseText text = dish(1.0, 60, "anchoring = \"tangential\"");
+  text.section("director", "type = \"uniform\"\nangle = 20.0")
+      .section("physics.nematic",
+               "type = \"beris_edwards\"\nrotational_diffusivity = 1.0\nflow_alignment = 0.0\nelastic_constant = " +
+                   text_of(1.0 / 900.0) + "\nbulk = { A = -1.0, C = 0.5 }")
+      .read("\"order_tensor\"");
+  CaseRun run(text);
+  run.run_to(1200.0);
+  const double centre = (60 + 5) / 60.0;
+  const auto defects = run.sample("defects").values().at("defects");
+  ASSERT_EQ(defects.size(), 8U);
+  for (std::size_t n = 0; n < defects.size(); n += 4) {
+    EXPECT_EQ(defects[n + 2], 0.5);
+    EXPECT_NEAR(std::hypot(defects[n] - centre, defects[n + 1] - centre), std::pow(5.0, -0.25), 0.03 * 0.669);
+  }
+}
+
 }  // namespace

@@ -1,6 +1,7 @@
 """run, check, graph and field list: right cases, wrong cases, output folders."""
 
 import os
+import tomllib
 import unittest
 
 import h5py
@@ -34,6 +35,21 @@ class Runs(CommandTest):
             self.mesogen("run", case, "--output", threads, "--threads", threads)
         for field in ("position", "velocity", "order_tensor"):
             self.assertTrue(numpy.array_equal(final(self.path("1"), field), final(self.path("3"), field)), field)
+
+    def test_an_expression_is_kept_as_it_stands(self):
+        push = '\n[physics.push]\ntype = "body_force"\nforce = ["0.1 * sin(2 * pi * y / Ly + t)", 0.0]\n'
+        self.mesogen("run", self.write_case(CASE + push), "--output", "out", "--quiet",
+                     "--set", "output.fields=['position', 'body_force']")
+        with open(self.path("out", "case.toml"), "rb") as file:
+            case = tomllib.load(file)
+        self.assertEqual(case["physics"]["push"]["force"], ["0.1 * sin(2 * pi * y / Ly + t)", 0.0])
+        edges = case["domain"]["size"]
+        with h5py.File(self.path("out", "results.h5"), "r") as file:
+            time = file["particles/fluid/body_force/time"][-1]
+        y = final(self.path("out"), "position")[:, 1]
+        force = final(self.path("out"), "body_force")
+        numpy.testing.assert_allclose(force[:, 0], 0.1 * numpy.sin(2 * numpy.pi * y / edges[1] + time), atol=1e-12)
+        numpy.testing.assert_array_equal(force[:, 1], 0.0)
 
     def test_default_folder_is_named_like_the_case(self):
         os.mkdir(self.path("study"))

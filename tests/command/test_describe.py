@@ -58,7 +58,7 @@ class Schema(CommandTest):
         return self.errors(tomllib.loads(text))
 
     def test_every_case_of_the_project_is_valid(self):
-        cases = glob.glob(os.path.join(PROJECT, "cases", "*", "*.toml"))
+        cases = glob.glob(os.path.join(PROJECT, "cases", "**", "*.toml"), recursive=True)
         self.assertTrue(cases)
         for file in cases:
             with open(file, "rb") as stream:
@@ -98,6 +98,18 @@ class Schema(CommandTest):
         self.assertEqual(self.errors_of_text(CASE.replace("end = 0.1", 'end = 0.1\nfactor = 0.5\nstep = "auto"')), {})
         self.assertEqual(list(self.errors_of_text(CASE.replace("end = 0.1", "end = 0.1\nfactor = 0.5\nstep = 0.1"))),
                          ["time"])
+
+    def test_a_number_that_varies_is_a_text_or_an_image(self):
+        def errors(value):
+            return list(self.errors_of_text(CASE + f'\n[physics.push]\ntype = "body_force"\nforce = {value}\n'))
+
+        image = '{ image = ["a.png", "b.png"], times = [0.0, 1.0], low = 0.0, high = 0.1 }'
+        self.assertEqual(errors(f'["0.1 * x", {image}]'), [])
+        self.assertEqual(errors('[0.1, { image = "a.png", low = 0.0, high = 0.1 }]'), [])
+        self.assertEqual(errors('[0.1, { image = "a.png", low = 0.0 }]'), ["physics.push.force.1"])
+        self.assertEqual(errors('[0.1, true]'), ["physics.push.force.1"])
+        self.assertEqual(list(self.errors_of_text(CASE.replace("viscosity = ", 'viscosity = "2 * x" # '))),
+                         ["physics.flow.viscosity"])
 
     def test_an_observer_has_one_timing(self):
         timing = '"flow_statistics"\ninterval = 0.05'

@@ -82,6 +82,18 @@ class ExtendedRuns(CommandTest):
                 self.mesogen("resume", f"{flow}-{end}", "--set", "time.end=0.2", "--quiet")
                 self.expect_same_results(f"{flow}-{end}", flow)
 
+    def test_so_it_is_with_values_in_time_that_get_no_larger(self):
+        lit = OBSERVED.replace("activity = 0.05", 'activity = "0.05 + 0.04 * (t < 0.05) * (x < 0.8)"')
+        self.run_to(0.2, "whole", lit)
+        self.run_to(0.11, "out", lit)
+        self.mesogen("resume", "out", "--set", "time.end=0.2", "--quiet")
+        self.expect_same_results("out", "whole")
+        self.run_to(0.11, "later", OBSERVED.replace("activity = 0.05", 'activity = "0.05 + 0.04 * (t > 0.15)"'))
+        _, err = self.mesogen("resume", "later", "--set", "time.end=0.2", code=2)
+        self.assertIn("time.end: cannot be 0.2 s: physics.activity.activity gets larger on the way there than up to t = "
+                      "0.11 s, by which the run chose its steps and its speed of sound; `mesogen branch later NEW --set "
+                      "time.end=0.2` goes on with others", err)
+
     def test_twice_and_with_a_kill_between(self):
         often = OBSERVED.replace("[output]", "[output]\ncheckpoint_interval = 0.02")
         self.run_to(0.11, "out", often)

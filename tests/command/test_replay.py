@@ -72,6 +72,22 @@ class Replay(CommandTest):
         crossed = numpy.abs(before["paths", "path"][2]).max()
         self.assertGreater(crossed, 1.6, "no particle left the box: the test shows nothing")
 
+    def test_prescribed_values_are_made_anew(self):
+        lit = RUN.replace("elastic_constant = 0.02", 'elastic_constant = "0.02 + 0.01 * sin(2 * pi * x / Lx + t)"')
+        self.run_once(lit)
+        _, err = self.mesogen("replay", "out")
+        self.assertNotIn("warning", err)
+        before, after = samples(self.path("out", "results.h5")), samples(self.path("out", "replay.h5"))
+        name = ("nematic", "free_energy")
+        self.assertGreater(numpy.ptp(before[name][2]), 1e-3)
+        numpy.testing.assert_allclose(after[name][2], before[name][2], rtol=1e-9, err_msg=str(name))
+        # By a field that no frame holds they cannot be.
+        fed = lit.replace("sin(2 * pi * x / Lx + t)", "solute").replace(
+            "[observers.flow]", '[physics.fuel]\ntype = "solute"\ndiffusivity = 0.01\nsource = 0.5\nlargest = 1.0\n'
+            "[observers.flow]", 1)
+        self.run_once(fed, "fed")
+        self.assertIn("made from 'solute'", self.refused("fed"))
+
     def test_an_incompressible_flow_makes_its_gradients_anew(self):
         self.run_once(RUN.replace('type = "wcsph"', 'type = "incompressible"'))
         _, err = self.mesogen("replay", "out")

@@ -189,6 +189,27 @@ void derivatives(const exec::Space& space, const Neighbours<Real, Dim>& neighbou
   exec::for_each(space, neighbours.particle_count, sums);
 }
 
+namespace {
+
+template <class Real>
+exec::Pack<Real> coefficient(const exec::ScaledCoefficient<Real>& scaled, Index first) {
+  using Lane = exec::Pack<Real>;
+  if (!scaled.scale) return Lane(scaled.number);
+  return Lane(scaled.number) * (load(scaled.scale.component(0) + first) / Lane(scaled.usual));
+}
+
+/// The part of the latest increments along the axis, times its damping.
+template <class Real, int Count>
+exec::Pack<Real> along_axis(const exec::StageArguments<Real>& arguments, Index first) {
+  using Lane = exec::Pack<Real>;
+  Lane along(Real(0));
+  for (int c = 0; c < Count; ++c)
+    along += load(arguments.linear.axis.component(c) + first) * load(arguments.latest.component(c) + first);
+  return along * coefficient(arguments.linear.damping_along_axis, first);
+}
+
+}  // namespace
+
 template <class Real, int Dim>
 void stage(const Neighbours<Real, Dim>& neighbours, const FixedWeights<Real, Dim>& weights,
            const exec::StageArguments<Real>& arguments) {
@@ -200,13 +221,21 @@ void stage(const Neighbours<Real, Dim>& neighbours, const FixedWeights<Real, Dim
     run_laplacians<Real, Dim, count>(
         neighbours, weights.laplacian.data(), source,
         [&arguments](Index first, int members, const Lane(&laplacian)[count]) {
+          const exec::LinearCoefficients<Real>& linear = arguments.linear;
           Lane share(Real(1));
-          if (arguments.divisor) share = Lane(Real(1)) / load(arguments.divisor.component(0) + first);
-          for (int c = 0; c < count; ++c)
-            put(arguments.next(load(arguments.latest.component(c) + first),
-                               load<Real>(arguments.before.component(c) + first),
-                               load(arguments.slope.component(c) + first), laplacian[c], share),
+          if (linear.divisor) share = Lane(Real(1)) / load(linear.divisor.component(0) + first);
+          const Lane diffusion = coefficient(linear.diffusion, first);
+          const Lane damping = coefficient(linear.damping, first);
+          Lane along(Real(0));
+          if (linear.axis) along = along_axis<Real, count>(arguments, first);
+          for (int c = 0; c < count; ++c) {
+            const Lane latest = load(arguments.latest.component(c) + first);
+            Lane stiff = laplacian[c] * diffusion - latest * damping;
+            if (linear.axis) stiff -= along * load(linear.axis.component(c) + first);
+            put(arguments.next(latest, load<Real>(arguments.before.component(c) + first),
+                               load(arguments.slope.component(c) + first), Lane(share * stiff)),
                 arguments.before.component(c) + first, members);
+          }
         });
   });
 }

@@ -3,7 +3,7 @@
 //   DQ11/Dt = lambda E11 - 2 lambda (Q:E) Q11 - w Q12 + Gamma H11
 //   DQ12/Dt = lambda E12 - 2 lambda (Q:E) Q12 + w Q11 + Gamma H12
 //   Q:E = 2 (Q11 E11 + Q12 E12),   E = sym(grad u),   w = dv/dx - du/dy
-//   H = -A Q - C Q Tr(Q^2) + K lap Q
+//   H = -A Q - C Q Tr(Q^2) + K lap Q + (grad K . grad) Q
 //
 // Signs: a rigid rotation turns the director with the fluid, dtheta/dt = w/2.
 //
@@ -34,15 +34,35 @@ struct Nematic {
   double c = 0.5;
 };
 
+/// (grad K . grad) Q, of an elastic constant that varies: H is what Q takes from the energy K/2 |grad Q|^2.
+template <class Real, int Dim>
+struct VaryingElasticity {
+  FieldView<const Real> k_gradient, q_gradient;  // both empty where K is uniform
+
+  static VaryingElasticity of(const PassContext& context, bool varies) {
+    if (!varies) return {};
+    return {context.read<Real>("elastic_constant_gradient"), context.read<Real>("order_tensor_gradient")};
+  }
+  MESOGEN_HOST_DEVICE Real operator()(int component, Index i) const {
+    Real sum(0);
+    if (k_gradient)
+      for (int d = 0; d < Dim; ++d) sum += k_gradient(d, i) * q_gradient(component * Dim + d, i);
+    return sum;
+  }
+};
+
 template <class Real, int Dim>
 struct MolecularField {
   FieldView<const Real> q, laplacian;
   FieldView<Real> field;
-  Real a, c, k;
+  Real a, c;
+  Varying<Real> k;
+  VaryingElasticity<Real, Dim> varying;
 
   MESOGEN_HOST_DEVICE void operator()(Index i) const {
     const Real trace = nematics::trace_of_square(q(0, i), q(1, i));
-    for (int n = 0; n < 2; ++n) field(n, i) = nematics::bulk_field(a, c, q(n, i), trace) + k * laplacian(n, i);
+    for (int n = 0; n < 2; ++n)
+      field(n, i) = nematics::bulk_field(a, c, q(n, i), trace) + k(i) * laplacian(n, i) + varying(n, i);
   }
 };
 
@@ -61,7 +81,7 @@ struct ElasticEnergy {
 
   FieldView<const Real> volume, q;
   FieldView<Real> energy;
-  Real k;
+  Varying<Real> k;
 
   struct Own {
     Real q[2];
@@ -79,7 +99,7 @@ struct ElasticEnergy {
   }
 
   MESOGEN_HOST_DEVICE void finish(Index i, const Own&, const Real* sum) const {
-    energy(i) = sum[moment] < Real(0) ? Real(2) * k * sum[squares] / sum[moment] : Real(0);
+    energy(i) = sum[moment] < Real(0) ? Real(2) * k(i) * sum[squares] / sum[moment] : Real(0);
   }
 };
 
@@ -88,14 +108,15 @@ struct Rate {
   FieldView<const Real> q, velocity_gradient;  // the last may be empty: no flow
   FieldView<Real> rate;
   Real gamma, lambda, a, c;
+  VaryingElasticity<Real, Dim> varying;
 
   MESOGEN_HOST_DEVICE void operator()(Index i) const {
     const Real q11 = q(0, i);
     const Real q12 = q(1, i);
     const Real trace = nematics::trace_of_square(q11, q12);
     // Without elasticity, which is declared as a diffusion.
-    Real rate11 = gamma * nematics::bulk_field(a, c, q11, trace);
-    Real rate12 = gamma * nematics::bulk_field(a, c, q12, trace);
+    Real rate11 = gamma * (nematics::bulk_field(a, c, q11, trace) + varying(0, i));
+    Real rate12 = gamma * (nematics::bulk_field(a, c, q12, trace) + varying(1, i));
     if (velocity_gradient) {
       const Real ux = velocity_gradient(0, i);
       const Real uy = velocity_gradient(1, i);
@@ -131,6 +152,7 @@ requires(Dim == 2) class BerisEdwards final : public Physics {
         .unit("N")
         .at_least(0)
         .required()
+        .may_vary("elastic_constant")
         .doc("K: elastic constant, the energy cost of gradients of Q (one-constant approximation)");
     list.number("bulk.A", nematic_.a).unit("Pa").doc("second-order bulk coefficient; below 0 the fluid is nematic");
     list.number("bulk.B", nematic_.b).unit("Pa").doc("third-order bulk coefficient; drops out in 2D");
@@ -148,10 +170,12 @@ requires(Dim == 2) class BerisEdwards final : public Physics {
     scene.constants["bulk_C"] = nematic_.c;
   }
 
-  void declare(const Scene&, PassList& list) override {
-    limit_step(list);
-    list.diffusion("order_tensor", "order_tensor_rate", nematic_.gamma * nematic_.k, StepCause::elasticity,
-                   "stable diffusion by Gamma K");
+  void declare(const Scene& scene, PassList& list) override {
+    const bool varies = scene.varying.contains("elastic_constant");
+    limit_step(scene, varies, list);
+    LinearTerm& elasticity = list.diffusion("order_tensor", "order_tensor_rate", nematic_.gamma * nematic_.k,
+                                            StepCause::elasticity, "stable diffusion by Gamma K");
+    if (varies) elasticity.varies_with("elastic_constant", nematic_.k);
     list.numbers(nematics::add_core_numbers);
     list.advice([](const AdviceContext& context, std::vector<Suggestion>& suggestions) {
       nematics::advise_on_cores(context, suggestions);
@@ -163,45 +187,62 @@ requires(Dim == 2) class BerisEdwards final : public Physics {
         .shown()
         .set_at_start();
     list.field("order_tensor_rate", Rank::order_tensor).unit("1/s").doc("DQ/Dt");
-    list.field("molecular_field", Rank::order_tensor).unit("Pa").doc("H = -A Q - C Q Tr(Q^2) + K lap Q");
-    list.pass("molecular field")
-        .reads({"order_tensor", "order_tensor_laplacian"})
+    list.field("molecular_field", Rank::order_tensor)
+        .unit("Pa")
+        .doc("H = -A Q - C Q Tr(Q^2) + K lap Q + (grad K . grad) Q");
+    Pass& molecular_field = list.pass("molecular field");
+    molecular_field.reads({"order_tensor", "order_tensor_laplacian"})
+        .reads_if_present({"elastic_constant"})
         .writes({"molecular_field"})
-        .run([this](const PassContext& context) {
+        .run([this, varies](const PassContext& context) {
           exec::for_each(context.space(), context.count(),
-                         MolecularField<Real, Dim>{context.read<Real>("order_tensor"),
-                                                   context.read<Real>("order_tensor_laplacian"),
-                                                   context.write<Real>("molecular_field"), Real(nematic_.a),
-                                                   Real(nematic_.c), Real(nematic_.k)});
+                         MolecularField<Real, Dim>{
+                             context.read<Real>("order_tensor"), context.read<Real>("order_tensor_laplacian"),
+                             context.write<Real>("molecular_field"), Real(nematic_.a), Real(nematic_.c),
+                             context.varying<Real>("elastic_constant", nematic_.k),
+                             VaryingElasticity<Real, Dim>::of(context, varies)});
         });
     list.field("elastic_energy", Rank::scalar).unit("J/m3").doc("K/2 |grad Q|^2, from differences between neighbours");
     list.pass("elastic energy, for readers", Phase::observe)
         .reads_neighbours({"order_tensor", "volume"})
+        .reads_if_present({"elastic_constant"})
         .writes({"elastic_energy"})
         .run([this](const PassContext& context) {
           sph::pair_sum(context.space(), context.neighbours<Real, Dim>(), context.kernel(),
                         ElasticEnergy<Real>{context.read<Real>("volume"), context.read<Real>("order_tensor"),
-                                            context.write<Real>("elastic_energy"), Real(nematic_.k)});
+                                            context.write<Real>("elastic_energy"),
+                                            context.varying<Real>("elastic_constant", nematic_.k)});
         });
-    list.pass("rate of the order tensor")
-        .reads({"order_tensor"})
+    Pass& rate_pass = list.pass("rate of the order tensor");
+    rate_pass.reads({"order_tensor"})
         .reads_if_present({"velocity_gradient"})
         .writes({"order_tensor_rate"})
-        .run([this](const PassContext& context) {
+        .run([this, varies](const PassContext& context) {
           Rate<Real, Dim> rate{context.read<Real>("order_tensor"),
                                {},
                                context.write<Real>("order_tensor_rate"),
                                Real(nematic_.gamma),
                                Real(nematic_.lambda),
                                Real(nematic_.a),
-                               Real(nematic_.c)};
+                               Real(nematic_.c),
+                               VaryingElasticity<Real, Dim>::of(context, varies)};
           if (context.has("velocity_gradient")) rate.velocity_gradient = context.read<Real>("velocity_gradient");
           exec::for_each(context.space(), context.count(), rate);
         });
+    if (varies)
+      for (Pass* const pass : {&molecular_field, &rate_pass})
+        pass->reads({"elastic_constant_gradient", "order_tensor_gradient"});
   }
 
  private:
-  void limit_step(PassList& list) const {
+  void limit_step(const Scene& scene, bool varies, PassList& list) const {
+    // (grad K . grad) Q is explicit, also where the diffusion takes any step. Where K falls to zero over two spacings
+    // it carries Q at Gamma K / (2 dx), which diffusion holds in steps up to 8 dx^2 / (Gamma K).
+    const bool any_step = scene.stabilised_steps || scene.scales.laplacians_for_any_step.contains("order_tensor");
+    if (varies && any_step && nematic_.k > 0.0)
+      list.step_limit(StepCause::elasticity, "2 dx^2 / (Gamma K), as K varies", [this](const Scene& run) {
+        return 2.0 * run.spacing * run.spacing / (nematic_.gamma * nematic_.k);
+      });
     // The midpoint rule is stable up to 2 over the rate, and off by a sixth of the square of their product: at most 3 %
     // where |Q| = 1, 0.7 % of the return to equilibrium with A = -2 C.
     const double stiffness = std::abs(nematic_.a) + 6.0 * nematic_.c;

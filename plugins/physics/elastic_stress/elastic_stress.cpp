@@ -10,6 +10,9 @@
 // density. That form balances the work only as far as divergence and Laplacian agree, which they do not where Q varies
 // from particle to particle, and it loads the fluid with a pressure even at rest, where H = 0 and there is no force.
 //
+// Where K varies, the energy's density changes with it: the stress then has the further divergence |grad Q|^2 / 2 grad
+// K, a force that drives nematics from where distortion costs much to where it costs little.
+//
 // The coefficients are those that the nematic plugin publishes.
 
 #include <algorithm>
@@ -55,17 +58,18 @@ template <class Real, int Dim>
 struct WholeStress {
   FieldView<const Real> turning, q, gradient;
   FieldView<Real> stress;
-  Real a, c, k;
+  Real a, c;
+  Varying<Real> k;
 
   MESOGEN_HOST_DEVICE void operator()(Index i) const {
     const Real trace = Real(2) * (q(0, i) * q(0, i) + q(1, i) * q(1, i));
     Real squares = Real(0);
     for (int n = 0; n < 2 * Dim; ++n) squares += gradient(n, i) * gradient(n, i);
-    const Real energy = trace * (a / Real(2) + c / Real(4) * trace) + k * squares;
+    const Real energy = trace * (a / Real(2) + c / Real(4) * trace) + k(i) * squares;
     for (int x = 0; x < Dim; ++x)
       for (int y = 0; y < Dim; ++y) {
         const Real pull = gradient(x, i) * gradient(y, i) + gradient(Dim + x, i) * gradient(Dim + y, i);
-        stress(x * Dim + y, i) = turning(x * Dim + y, i) - Real(2) * k * pull + (x == y ? energy : Real(0));
+        stress(x * Dim + y, i) = turning(x * Dim + y, i) - Real(2) * k(i) * pull + (x == y ? energy : Real(0));
       }
   }
 };
@@ -76,12 +80,16 @@ struct Force {
   FieldView<const Real> field, gradient;  // H, and (Q11_x, Q11_y, Q12_x, Q12_y)
   FieldView<const Real> density;
   FieldView<Real> acceleration;
+  FieldView<const Real> k_gradient;  // empty where K is uniform
 
   MESOGEN_HOST_DEVICE void operator()(Index i) const {
+    Real squares(0);  // |grad Q|^2 / 2
+    for (int n = 0; n < 2 * Dim; ++n) squares += gradient(n, i) * gradient(n, i);
     for (int a = 0; a < Dim; ++a) {
       // Q_xx H_xx = Q_yy H_yy: each component counts twice.
       Real force = Real(-2) * (gradient(a, i) * field(0, i) + gradient(Dim + a, i) * field(1, i));
       for (int b = 0; b < Dim; ++b) force += stress_gradient((a * Dim + b) * Dim + b, i);
+      if (k_gradient) force += k_gradient(a, i) * squares;
       acceleration(a, i) += force / density(i);
     }
   }
@@ -132,25 +140,28 @@ requires(Dim == 2) class ElasticStress final : public Physics {
         .doc("the whole elastic stress, Pi - K d_i Q : d_j Q + f I with f the density of the free energy; for readers");
     list.pass("elastic stress, for readers", Phase::observe)
         .reads({"elastic_stress", "order_tensor", "order_tensor_gradient"})
+        .reads_if_present({"elastic_constant"})
         .writes({"stress_elastic"})
         .run([a = scene.constant("bulk_A"), c = scene.constant("bulk_C"), k](const PassContext& context) {
           exec::for_each(
               context.space(), context.count(),
               WholeStress<Real, Dim>{context.read<Real>("elastic_stress"), context.read<Real>("order_tensor"),
                                      context.read<Real>("order_tensor_gradient"), context.write<Real>("stress_elastic"),
-                                     Real(a), Real(c), Real(k)});
+                                     Real(a), Real(c), context.varying<Real>("elastic_constant", k)});
         });
-    list.pass("elastic force")
-        .reads({"elastic_stress_gradient", "molecular_field", "order_tensor_gradient", "density"})
+    Pass& force = list.pass("elastic force");
+    force.reads({"elastic_stress_gradient", "molecular_field", "order_tensor_gradient", "density"})
         .accumulates({"acceleration"})
-        .conserves_momentum()
-        .run([](const PassContext& context) {
-          exec::for_each(
-              context.space(), context.count(),
-              Force<Real, Dim>{context.read<Real>("elastic_stress_gradient"), context.read<Real>("molecular_field"),
-                               context.read<Real>("order_tensor_gradient"), context.read<Real>("density"),
-                               context.write<Real>("acceleration")});
-        });
+        .conserves_momentum();
+    const bool varies = scene.varying.contains("elastic_constant");
+    if (varies) force.reads({"elastic_constant_gradient"});
+    force.run([varies](const PassContext& context) {
+      Force<Real, Dim> add{context.read<Real>("elastic_stress_gradient"), context.read<Real>("molecular_field"),
+                           context.read<Real>("order_tensor_gradient"),   context.read<Real>("density"),
+                           context.write<Real>("acceleration"),           {}};
+      if (varies) add.k_gradient = context.read<Real>("elastic_constant_gradient");
+      exec::for_each(context.space(), context.count(), add);
+    });
   }
 
  private:

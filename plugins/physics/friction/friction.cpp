@@ -16,6 +16,7 @@ class Friction final : public Physics {
         .unit("kg/(m3 s)")
         .at_least(0)
         .required()
+        .may_vary("friction")
         .doc("xi: force density per velocity");
   }
 
@@ -23,9 +24,12 @@ class Friction final : public Physics {
 
   void declare(const Scene& scene, PassList& list) override {
     const double density = scene.constant("density");
-    list.damping("velocity", "acceleration", coefficient_, StepCause::friction, "0.25 rho / xi")
-        .divided_by("density", density)
-        .takes_any_step(scene.scales.friction_for_any_step || !(density > 0.0));
+    const bool varies = scene.varying.contains("friction");
+    LinearTerm& damping = list.damping("velocity", "acceleration", coefficient_, StepCause::friction, "0.25 rho / xi");
+    // A flow takes the same friction everywhere in any step, and what differs from it as an explicit force.
+    damping.divided_by("density", density)
+        .takes_any_step((scene.scales.friction_for_any_step && !varies) || !(density > 0.0));
+    if (varies) damping.varies_with("friction", coefficient_);
   }
 
  private:

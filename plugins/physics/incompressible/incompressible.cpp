@@ -146,6 +146,11 @@ requires(Dim == 2) class Incompressible final : public Physics {
     if (scene.solids)
       throw Error(ExitCode::bad_case,
                   "an incompressible flow knows no solids: between them take type = \"wcsph\", or remove [solids]");
+    if (!fluid_.inertia && (scene.varying.contains("friction") || scene.constants.contains("friction_along")))
+      throw Error(
+          ExitCode::bad_case,
+          "a creeping incompressible flow knows friction that is the same everywhere and in all directions: leave "
+          "inertia = false out, or take type = \"wcsph\"");
     fluid_.friction = scene.constant("friction");
     nematic_ = scene.constants.contains("elastic_constant");
     if (nematic_ && !scene.constants.contains("rotational_diffusivity"))

@@ -38,7 +38,7 @@ inline double smallest_square(const Scene& scene) {
 /// as elasticity is there.
 inline double creeping_density(const Scene& scene, double viscosity, double ratio) {
   const auto constant = [&](const char* name) { return scene.constant(name); };
-  const double friction = constant("friction");
+  const double friction = scene.varying.contains("friction") ? 0.0 : constant("friction");  // where it is least
   const double a = constant("bulk_A");
   const double c = constant("bulk_C");
   const double order = a < 0.0 && c > 0.0 ? std::sqrt(-a / (2.0 * c)) : 1.0;

@@ -14,6 +14,7 @@
 
 #include "../run/active_scene.hpp"
 #include "emulated_device.hpp"
+#include "png_file.hpp"
 #include "run/closest_pair.hpp"
 #include "run/observation.hpp"
 #include "test_plugins.hpp"
@@ -128,6 +129,20 @@ INSTANTIATE_TEST_SUITE_P(All, OnAnEmulatedDevice,
                          [](const auto& set) {
                            return std::string(std::get<0>(set.param)) + "_" + std::get<1>(set.param);
                          });
+
+// Programs, films and what they read go to the device too.
+TEST(EmulatedDevice, MakesPrescribedValues) {
+  const std::string dark = write_png("emulated_dark.png", 2, 2, {0, 40, 80, 120});
+  const std::string bright = write_png("emulated_bright.png", 2, 2, {255, 90, 200, 10});
+  CaseText text = observed(active_scene("single", "periodic_wrap"));
+  text.section("physics.activity", "type = \"active_stress\"\nactivity = { image = [\"" + dark + "\", \"" + bright +
+                                       "\"], times = [0.0, 0.5], low = -0.1, high = 0.4 }")
+      .section("physics.fuel", "type = \"solute\"\ndiffusivity = 0.01\nsource = \"0.1 + 0.2 * x * t\"")
+      .section("physics.substrate", "type = \"friction\"\ncoefficient = \"0.3 + 0.1 * sin(y) + solute\"")
+      .section("output", "fields = [\"velocity\", \"order_tensor\", \"activity\", \"activity_gradient\"]");
+  const Story host = run_on_host(text);
+  for (const auto on_device : {&everybody, &nobody, &some}) expect_same(run_emulated(text, on_device), host);
+}
 
 // Its flow has loops of its own, which go over what the host has.
 TEST(EmulatedDevice, RunsAFlowThatComputesOnTheHost) {

@@ -32,8 +32,8 @@ TEST(Stages, AreOddAndAsManyAsTheStepNeeds) {
 
 TEST(Stages, TheFastestRateGoesWithTheDivisor) {
   LinearTerms terms;
-  terms.diffusion = 0.5;
-  terms.damping = 3.0;
+  terms.diffusion.number = 0.5;
+  terms.damping.number = 3.0;
   terms.usual_divisor = 2.0;
   EXPECT_DOUBLE_EQ(largest_rate(terms, 10.0), 1.2 * (0.5 * 10.0 + 3.0) / 2.0);
 }

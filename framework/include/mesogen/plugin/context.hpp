@@ -15,6 +15,15 @@ namespace sph {
 struct SmoothingKernel;
 }
 
+/// A number that may vary (Parameter::may_vary), at each particle.
+template <class Real>
+struct Varying {
+  FieldView<const Real> field;  ///< empty: the same everywhere
+  Real number;
+
+  MESOGEN_HOST_DEVICE Real operator()(Index i) const { return field ? field(i) : number; }
+};
+
 /// What a pass may use: the fields that it declared, and no others. Access to any other field throws an error that
 /// names the plugin instance and the field.
 class MESOGEN_EXPORT PassContext {
@@ -38,6 +47,13 @@ class MESOGEN_EXPORT PassContext {
   }
   /// True if the scene has this field, which the pass declared by reads_if_present.
   [[nodiscard]] virtual bool has(std::string_view field) const = 0;
+
+  /// A number that may vary, whose field the pass declared by reads_if_present; `otherwise` in a scene without it.
+  template <class Real>
+  [[nodiscard]] Varying<Real> varying(std::string_view field, double otherwise) const {
+    if (has(field)) return {read<Real>(field), Real(otherwise)};
+    return {{}, Real(otherwise)};
+  }
 
   /// Cell grid for sums over pairs.
   template <class Real, int Dim>

@@ -4,6 +4,7 @@
 #include <deque>
 #include <limits>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -19,6 +20,8 @@ struct WordOrNumber {
   std::string word;  ///< empty: it is the number
   double number = 0.0;
 };
+
+struct GivenValue;
 
 /// One key of a section of a case. Parsing, checks, `plugin info` and the docs all use it, and nothing else.
 struct MESOGEN_EXPORT Parameter {
@@ -42,6 +45,8 @@ struct MESOGEN_EXPORT Parameter {
   std::vector<std::size_t> size_list;    ///< allowed lengths of a list of numbers, or of each row; empty: any
   std::string condition_key;             ///< see only_with; empty: no condition
   std::vector<std::string> condition_values;
+  std::string field_name;             ///< see may_vary; empty: it may not
+  std::shared_ptr<GivenValue> given;  ///< what a case gave in place of numbers; null if it may not vary
 
   Parameter& unit(std::string_view text);
   Parameter& doc(std::string_view text);
@@ -54,6 +59,12 @@ struct MESOGEN_EXPORT Parameter {
   Parameter& required();
   Parameter& choices(std::vector<std::string> allowed);
   Parameter& sizes(std::vector<std::size_t> allowed);
+  /// A number of a physics plugin, or a list of one number for each axis, for which a case may prescribe values in
+  /// space and time: an expression, "0.08 * (x < 5)", or an image. The values are then a field of this name, a scalar
+  /// or a vector, which passes read (Pass::reads_if_present), with the gradient NAME_gradient of a scalar. The target
+  /// gets, for each component, the value of largest size, for limits on the step and advice; Scene::varying tells that
+  /// it varies. Bounds hold for all values. Where an expression comes out the same everywhere there is no field.
+  Parameter& may_vary(std::string_view field);
   /// The key is valid only if another key of the same list, declared before it, has one of these values (a choice, the
   /// word of an optional number, "true" or "false"). Otherwise a case must not give it, even if it is required().
   Parameter& only_with(std::string_view other_key, std::vector<std::string> values);

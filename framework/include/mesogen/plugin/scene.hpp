@@ -79,8 +79,9 @@ struct Scene {
     const auto found = initial.find(field);
     return found == initial.end() ? InitialExtent{} : found->second;
   }
-  Scales scales;        ///< what the physics plugins said of their magnitudes
-  Constants constants;  ///< what plugins published by name
+  std::set<std::string, std::less<>> varying;  ///< fields of numbers that vary (Parameter::may_vary)
+  Scales scales;                               ///< what the physics plugins said of their magnitudes
+  Constants constants;                         ///< what plugins published by name
   /// A published number, or `otherwise` if nobody published it.
   [[nodiscard]] double constant(std::string_view name, double otherwise = 0.0) const {
     const auto found = constants.find(name);
