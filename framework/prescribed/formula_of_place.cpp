@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "exec/program_evaluation.hpp"
 #include "mesogen/diagnostics/error.hpp"
 #include "mesogen/plugin/expression.hpp"
@@ -20,13 +22,34 @@ Expression::Expression(const std::string& text, const Scene& scene) {
 
 Expression::~Expression() = default;
 
-double Expression::operator()(const std::array<double, 3>& at) const {
-  const auto& [program, around] = *implementation_;
+namespace {
+
+template <int Count>
+std::array<double, Count> values_at(const Program& program, const exec::Surroundings<double>& around,
+                                    const exec::Place<Count>& place) {
   const exec::ProgramView view{program.code.data(), static_cast<int>(program.code.size())};
-  exec::Place<1> place{};
-  for (std::size_t d = 0; d < at.size(); ++d) place.at[d][0] = at[d];
-  place.count = 1;
-  return *exec::Evaluation<double, 1>(view, around).at(place);
+  exec::Evaluation<double, Count> evaluation(view, around);
+  std::array<double, Count> values;
+  std::copy_n(evaluation.at(place), Count, values.begin());
+  return values;
+}
+
+}  // namespace
+
+double Expression::operator()(const std::array<double, 3>& at) const {
+  exec::Place<1> place{{{at[0]}, {at[1]}, {at[2]}}, 0, 1};
+  return values_at(implementation_->program, implementation_->around, place).front();
+}
+
+std::array<double, 9> Expression::around(const std::array<double, 3>& at, double step) const {
+  exec::Place<9> place{};
+  place.count = 9;
+  for (int n = 0; n < 9; ++n) {
+    place.at[0][n] = at[0] + (n % 3 - 1) * step;
+    place.at[1][n] = at[1] + (n / 3 - 1) * step;
+    place.at[2][n] = at[2];
+  }
+  return values_at(implementation_->program, implementation_->around, place);
 }
 
 }  // namespace mesogen

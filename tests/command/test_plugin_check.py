@@ -166,7 +166,8 @@ class PluginCheck(CommandTest):
                 (["friction", "--constant", "density=much"], "--constant density=much: much is no number"),
                 (["friction", "--set", "coeficient=1.0"],
                  'error: --set: coeficient: unknown key; did you mean "coefficient"?\n'),
-                (["friction", "--set", "coefficient=abc"], "error: --set: coefficient: must be a number in "),
+                (["friction", "--set", "coefficient=true"],
+                 "error: --set: coefficient: must be a number, expression or image in "),
                 (["friction", "--set", "type=wcsph"],
                  "error: --set: type: a key of the framework: only parameters of the plugin can be set here\n")):
             out, err = self.mesogen("plugin", "check", *arguments, code=2)
@@ -174,8 +175,8 @@ class PluginCheck(CommandTest):
             self.assertEqual(out, "")
 
     def test_of_two_values_the_last_is_taken(self):
-        self.mesogen("plugin", "check", "friction", "--set", "coefficient=abc", "--set", "coefficient=1.0")
-        self.mesogen("plugin", "check", "friction", "--set", "coefficient=1.0", "--set", "coefficient=abc", code=2)
+        self.mesogen("plugin", "check", "friction", "--set", "coefficient=true", "--set", "coefficient=1.0")
+        self.mesogen("plugin", "check", "friction", "--set", "coefficient=1.0", "--set", "coefficient=true", code=2)
 
     def test_the_file_goes_before_a_twin_that_is_installed(self):
         own = self.path("plug", "quintic.so")

@@ -1,5 +1,6 @@
 // A shape by a formula f that is below 0 inside of it and above 0 outside, such as x^2 / 4 + y^2 - 1. The formula need
-// not be a distance: the nearest point of f = 0 is found by steps along the slope of f and along the surface.
+// not be a distance: the nearest point of f = 0, where the way there is along the slope of f, is found by Newton's
+// method.
 
 #include <algorithm>
 #include <cmath>
@@ -27,10 +28,7 @@ class ShapeByExpression final : public Shape {
         .doc(
             "formula of x and y (m): below 0 inside, above 0 outside, with a slope wherever it is 0. It need not grow "
             "like a distance: \"x^2 / 4 + y^2 - 1\"");
-    list.numbers("centre", centre_)
-        .unit("m")
-        .sizes({2})
-        .doc("the point around which it turns; by default that of the box");
+    list.numbers("centre", centre_).unit("m").sizes({2}).doc("the point around which it turns");
   }
 
   void prepare(const Scene& scene) override {
@@ -40,24 +38,21 @@ class ShapeByExpression final : public Shape {
       throw BadParameter("distance", "\"" + text_ + "\": " + error.what());
     }
     check_finite(scene);
-    if (centre_.empty()) centre_ = {0.5 * scene.box[0], 0.5 * scene.box[1]};
     step_ = 1e-4 * scene.spacing;
     farthest_ = scene.support;
     check_slope(scene);
   }
 
   [[nodiscard]] double distance(const Point& at) const override {
-    const double value = (*formula_)(at);
+    const Near near = look_at(at);
+    const double value = near.value;
     if (!std::isfinite(value)) return value;
     const double sign = value < 0.0 ? -1.0 : 1.0;
-    const Point slope = slope_at(at);
-    const double steepness = std::hypot(slope[0], slope[1]);
+    const double steepness = std::hypot(near.x, near.y);
     const double guess = std::abs(value) / steepness;
     // Far away, or where the formula is flat, the sign is enough.
     if (!(guess < 4.0 * farthest_)) return sign * std::max(2.0 * farthest_, std::isfinite(guess) ? guess : 0.0);
-    Point foot = at;
-    for (int n = 0; n < 30; ++n)
-      if (approach(at, foot) < 1e-9 * farthest_) break;
+    const Point foot = foot_of(at);
     return sign * std::hypot(at[0] - foot[0], at[1] - foot[1]);
   }
 
@@ -93,34 +88,49 @@ class ShapeByExpression final : public Shape {
       }
   }
 
-  [[nodiscard]] Point slope_at(const Point& at) const {
-    Point slope{};
-    for (std::size_t d = 0; d < 2; ++d) {
-      Point there = at;
-      there[d] = at[d] + step_;
-      slope[d] = (*formula_)(there);
-      there[d] = at[d] - step_;
-      slope[d] = (slope[d] - (*formula_)(there)) / (2.0 * step_);
-    }
-    return slope;
+  /// The formula near a point: value, slope and curvatures, by differences.
+  struct Near {
+    double value, x, y, xx, xy, yy;
+  };
+  [[nodiscard]] Near look_at(const Point& at) const {
+    const auto f = formula_->around(at, step_);
+    const double square = step_ * step_;
+    return {f[4],
+            (f[5] - f[3]) / (2.0 * step_),
+            (f[7] - f[1]) / (2.0 * step_),
+            (f[5] - 2.0 * f[4] + f[3]) / square,
+            (f[8] - f[2] - f[6] + f[0]) / (4.0 * square),
+            (f[7] - 2.0 * f[4] + f[1]) / square};
   }
 
-  /// Brings a point nearer to the foot of `at` on the surface; returns how far it went.
-  double approach(const Point& at, Point& foot) const {
-    const Point before = foot;
-    const Point slope = slope_at(foot);
-    const double square = slope[0] * slope[0] + slope[1] * slope[1];
-    if (!(square > 0.0)) return 0.0;
-    const double down = (*formula_)(foot) / square;
-    for (std::size_t d = 0; d < 2; ++d) foot[d] -= down * slope[d];
-    // Along the surface towards `at`; half of the way, as the surface may be bent as much as that is far.
-    const double across = ((at[0] - foot[0]) * slope[0] + (at[1] - foot[1]) * slope[1]) / square;
-    for (std::size_t d = 0; d < 2; ++d) foot[d] += 0.5 * (at[d] - foot[d] - across * slope[d]);
-    return std::hypot(foot[0] - before[0], foot[1] - before[1]);
+  /// The point r with f(r) = 0 and r + l grad f(r) = at: by steps down to the surface, and along it by Newton's method.
+  [[nodiscard]] Point foot_of(const Point& at) const {
+    Point foot = at;
+    for (int n = 0; n < 30; ++n) {
+      const Near near = look_at(foot);
+      const double square = near.x * near.x + near.y * near.y;
+      if (!(square > 0.0)) break;
+      const double down = -near.value / square;
+      const double way_x = at[0] - foot[0] - down * near.x;
+      const double way_y = at[1] - foot[1] - down * near.y;
+      const double l = (way_x * near.x + way_y * near.y) / square;
+      // How fast the way turns along the surface, whose direction is (-f_y, f_x), against a straight one.
+      const double bend =
+          (near.xx * near.y * near.y - 2.0 * near.xy * near.x * near.y + near.yy * near.x * near.x) / square;
+      const double turning = std::max(0.5, 1.0 + l * bend);
+      double along_it = (way_y * near.x - way_x * near.y) / square / turning;
+      const double longest = 0.5 * farthest_ / std::sqrt(square);
+      along_it = std::clamp(along_it, -longest, longest);
+      const double step_x = down * near.x - along_it * near.y;
+      const double step_y = down * near.y + along_it * near.x;
+      foot = {foot[0] + step_x, foot[1] + step_y, 0.0};
+      if (std::hypot(step_x, step_y) < 1e-9 * farthest_) break;
+    }
+    return foot;
   }
 
   std::string text_;
-  std::vector<double> centre_;
+  std::vector<double> centre_{0.0, 0.0};
   std::optional<Expression> formula_;
   double step_ = 0.0;      // of differences, m
   double farthest_ = 0.0;  // as far as a distance must be right, m

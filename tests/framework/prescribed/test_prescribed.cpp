@@ -1,4 +1,4 @@
-// Numbers that vary in space and time, in whole cases.
+// Numbers that vary in space and time, in whole cases: what they do.
 
 #include <gtest/gtest.h>
 
@@ -6,34 +6,14 @@
 #include <cmath>
 #include <numbers>
 
-#include "case_run.hpp"
-#include "emulated_device.hpp"
 #include "error_of.hpp"
+#include "lit_scene.hpp"
 #include "png_file.hpp"
 
 namespace mesogen {
 namespace {
 
-using test::CaseRun;
-using test::CaseText;
-
-constexpr double length = 10.0;
-
-/// An active nematic that is bent, jittered so that nothing is even.
-CaseText active(const std::string& activity, const std::string& more_flow = "") {
-  CaseText text(length, 40);
-  text.section("particles", "spacing = 0.25\narrangement = \"jittered\"\njitter = 0.1\nseed = 3")
-      .modes("director", "[[1, 0, 0.3, 0.4], [1, 2, 0.2, 1.1]]")
-      .flow(1.0, more_flow)
-      .nematic(0.4, 0.7, 0.1)
-      .section("physics.activity", "type = \"active_stress\"\nactivity = " + activity)
-      .section("physics.substrate", "type = \"friction\"\ncoefficient = 0.5")
-      .section("physics.push", "type = \"body_force\"\nforce = [0.1, -0.2]")
-      .read("\"acceleration\", \"velocity\", \"order_tensor\"");
-  return text;
-}
-
-using Settings = std::vector<std::string>;
+using namespace test;
 
 /// All that a run ends with.
 std::vector<double> end_of(const CaseText& text, const Settings& settings, int steps = 10) {
@@ -67,12 +47,6 @@ TEST(Prescribed, WhatIsTheSameEverywhereGivesTheBitsOfTheNumber) {
         EXPECT_EQ(end_of(active("0.3"), with), plain) << stepping << ", " << precision << ", " << one;
       }
     }
-}
-
-TEST(Prescribed, AnExpressionOfNumbersIsANumber) {
-  CaseRun run(active("'0.6 * viscosity'"), {});
-  EXPECT_TRUE(run.setup().prescribed.empty());
-  EXPECT_EQ(run.setup().scene.constant("activity"), 0.6);
 }
 
 // Far from the line each half is as in a box of its activity alone, to the last bit: a step reaches a few supports
@@ -139,17 +113,6 @@ TEST(Prescribed, SmoothActivityGivesTheExactForce) {
     EXPECT_NEAR(fx[n], -0.5 * slope, 0.01 * 0.1 * k);
     EXPECT_NEAR(fy[n], -std::sqrt(0.75) * slope, 0.01 * 0.1 * k);
   }
-}
-
-TEST(Prescribed, LimitsGoByTheLargestValue) {
-  const auto scene = [](const std::string& activity) { return CaseRun(active(activity)).setup().scene; };
-  const Scene varying = scene("'-0.3 * (x < 5) + 0.1 * (x > 5)'");
-  EXPECT_DOUBLE_EQ(varying.constant("activity"), -0.3);
-  EXPECT_EQ(varying.scales.stress, scene("-0.3").scales.stress);
-  EXPECT_TRUE(varying.varying.contains("activity"));
-  // Also if it comes later.
-  EXPECT_DOUBLE_EQ(CaseRun(active("'0.1 + 0.4 * (t > 2)'"), {"time.end=8.0"}).setup().scene.constant("activity"), 0.5);
-  EXPECT_DOUBLE_EQ(CaseRun(active("'0.1 + 0.4 * (t > 2)'"), {"time.end=1.0"}).setup().scene.constant("activity"), 0.1);
 }
 
 TEST(Prescribed, IsAFieldThatCanBeStored) {
@@ -237,35 +200,7 @@ TEST(Prescribed, ElasticForcesAreTheDivergenceOfTheirStress) {
   EXPECT_LT(difference, 0.03 * largest);
 }
 
-CaseText fuelled(const std::string& fuel) {
-  CaseText text = active("'0.3 * solute'");
-  text.section("physics.fuel", "type = \"solute\"\ndiffusivity = 0.01\nsource = 2.0\n" + fuel);
-  return text;
-}
-
 // What is fed only later is not taken for nothing.
-TEST(Prescribed, AFieldThatStartsFromNothingMustTellHowMuchItBecomes) {
-  EXPECT_NE(error_of([] { CaseRun run(fuelled("")); }, ExitCode::bad_case)
-                .find("physics.activity.activity: \"0.3 * solute\" is 0 everywhere at the start, so nothing tells how "
-                      "large it gets: let the section of 'solute' tell its largest value, or start it above 0"),
-            std::string::npos);
-  CaseRun run(fuelled("largest = 0.5"));
-  EXPECT_DOUBLE_EQ(run.setup().scene.constant("activity"), 0.15);
-  const std::string found = error_of([&] { run.run_to(1.0); }, ExitCode::run_failed);
-  EXPECT_NE(found.find("the run broke down: 'activity' is 0.18"), std::string::npos) << found;
-  EXPECT_NE(found.find("limits on the step go by the largest value that is found there"), std::string::npos) << found;
-}
-
-TEST(Prescribed, TwoNumbersOfANameCannotBothBe) {
-  CaseText text = active("0.3");
-  text.section("physics.wind", "type = \"body_force\"\nforce = ['0.1 * sin(y)', 0.0]");
-  EXPECT_NE(
-      error_of([&] { CaseRun run(text); }, ExitCode::bad_case)
-          .find("physics.wind.force: varies, and physics.push.force is about the same field, 'body_force': put all "
-                "of it into one of the two sections, and remove the other"),
-      std::string::npos);
-}
-
 // A formula that gives no number in a wall has a slope in front of it all the same.
 TEST(Prescribed, ASlopeLooksAwayFromWhereThereIsNoNumber) {
   CaseText text(length, 40);
@@ -298,69 +233,7 @@ TEST(Prescribed, FrictionThatVariesGoesWithAFlowWithoutSound) {
       std::string::npos);
 }
 
-TEST(Prescribed, FiniteAnchoringNeedsOneElasticConstant) {
-  CaseText text(length, 40);
-  text.section("solids.rim",
-               "shape = \"disc\"\ncentre = [5.0, 5.0]\nradius = 4.0\nfluid = \"inside\"\nanchoring = \"normal\"\n"
-               "anchoring_strength = 0.3")
-      .section("director", "type = \"uniform\"\nangle = 0.0")
-      .flow(1.0)
-      .nematic(0.4, 0.7, 0.1);
-  EXPECT_NE(
-      error_of([&] { CaseRun run(text, {"physics.nematic.elastic_constant='0.1 + 0.01 * x'"}); }, ExitCode::bad_case)
-          .find("solids.rim.anchoring_strength: is a strength against an elastic_constant that is the same "
-                "everywhere"),
-      std::string::npos);
-}
-
 // Between the times at which the start looks ahead.
-TEST(Prescribed, AValueOutOfBoundsEndsTheRun) {
-  CaseRun run(active("0.3"),
-              {"physics.substrate.coefficient='1 - 3 * (abs(t - 0.02465) < 0.0002)'", "time.step=0.001"});
-  const std::string found = error_of([&] { run.run_steps(40); }, ExitCode::run_failed);
-  EXPECT_NE(found.find("the run broke down: 'friction' is -2 at particle "), std::string::npos) << found;
-  EXPECT_NE(found.find("Mend physics.substrate.coefficient, or let it be as large"), std::string::npos) << found;
-  CaseRun late(active("0.3"),
-               {"physics.push.force=['if(abs(t - 0.02465) < 0.0002, sqrt(-1), 0.1)', 0.0]", "time.step=0.001"});
-  const std::string cause = error_of([&] { late.run_steps(40); }, ExitCode::run_failed);
-  EXPECT_NE(cause.find("'body_force' is "), std::string::npos) << cause;
-}
-
-TEST(Prescribed, WhatIsWrongIsToldWithItsPlace) {
-  const auto refusal = [](const Settings& settings) {
-    return error_of([&] { CaseRun run(active("0.3"), settings); }, ExitCode::bad_case);
-  };
-  const auto expect = [&](const Settings& settings, const std::string& text) {
-    const std::string found = refusal(settings);
-    EXPECT_NE(found.find(text), std::string::npos) << found;
-  };
-  expect({"physics.activity.activity='0.3 * (z < 5)'"},
-         "physics.activity.activity: \"0.3 * (z < 5)\": \"z\" is not known");
-  expect({"physics.activity.activity='0.3 / (x - x)'"},
-         "physics.activity.activity: \"0.3 / (x - x)\" must be finite everywhere, but is inf at (");
-  expect({"physics.substrate.coefficient='x - 5'"},
-         "physics.substrate.coefficient: \"x - 5\" must be >= 0 kg/(m3 s) everywhere, but is -4.");
-  expect({"physics.substrate.coefficient='1 - t'", "time.end=2.0"}, "everywhere, but is -");
-  expect({"physics.substrate.coefficient='-viscosity'"}, "\"-viscosity\" must be >= 0 kg/(m3 s) everywhere, but is -1");
-  expect({"physics.push.force=['x', 'y', 'x']"}, "physics.push.force: must be a list of 2 numbers");
-  expect({"physics.push.force=['x', '1 / (y - y)']"}, "physics.push.force: \"1 / (y - y)\" must be finite everywhere");
-  expect(
-      {"physics.nematic.elastic_constant='0.1 + 0.01 * x'", "physics.activity.activity='elastic_constant'"},
-      "\"elastic_constant\" is prescribed itself, by physics.nematic.elastic_constant: an expression takes constants");
-  expect({"physics.nematic.flow_alignment='x'"}, "physics.nematic.flow_alignment: must be a number, but is \"x\"");
-  const auto image = [](const std::string& table) { return Settings{"physics.activity.activity=" + table}; };
-  expect(image("{ image = 'missing.png', low = 0.0, high = 1.0 }"), "\"missing.png\" cannot be read");
-  expect(image("{ image = 'a.png', high = 1.0 }"),
-         "low must be given: write { image = \"mask.png\", low = 0.0, high = 1.0 }");
-  expect(image("{ image = 'a.png', low = 0.0, hihg = 1.0 }"), "unknown key \"hihg\"; did you mean \"high\"?");
-  expect(image("{ image = ['a.png', 'b.png'], low = 0.0, high = 1.0 }"), "2 images need as many times");
-  expect(image("{ image = ['a.png', 'b.png'], low = 0.0, high = 1.0, times = [1.0, 1.0] }"),
-         "times must rise, but 1 comes after 1");
-  expect(image("{ image = ['a.png', 'b.png'], low = 0.0, high = 1.0, times = [1.0] }"),
-         "times must be as many as the images, 2, but are 1");
-  expect(image("{ image = 3, low = 0.0, high = 1.0 }"),
-         "image must be the name of a PNG file, or a list of such, but is 3");
-}
 
 }  // namespace
 }  // namespace mesogen

@@ -21,6 +21,9 @@ class MESOGEN_EXPORT Expression {
 
   /// Its value at a point, m. May be called by several threads at a time.
   [[nodiscard]] double operator()(const std::array<double, 3>& at) const;
+  /// Its values at the nine points (x + i step, y + j step), i and j from -1 to 1, the i-th of row j at
+  /// 3 (j + 1) + i + 1: for slopes and curvatures, faster than one by one.
+  [[nodiscard]] std::array<double, 9> around(const std::array<double, 3>& at, double step) const;
 
  private:
   struct Implementation;
