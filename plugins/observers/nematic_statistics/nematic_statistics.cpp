@@ -91,6 +91,9 @@ class NematicStatistics final : public Observer {
     const double c = context.constant("bulk_C");
     const double k = context.constant("elastic_constant");
     if (std::isnan(k)) return k;
+    // One K does for all only where it is the same everywhere.
+    if (!context.has("elastic_energy") && context.scene().varying.contains("elastic_constant"))
+      return std::numeric_limits<double>::quiet_NaN();
     const FieldReader volume = context.field("volume");
     const auto sum = [&](const auto& elastic) {
       return exec::exact_sums<2>(context.count(), [&](Index i, double(&terms)[2]) {
