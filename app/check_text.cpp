@@ -76,6 +76,14 @@ std::string steps_text(const Setup& setup, const StepForecast& steps) {
   for (const auto& [field, number] : steps.stages)
     stages += fmt::format("{}{} stages for {}", stages.empty() ? "" : ", ", number, field);
   text += fmt::format("stepping        {}\n", stages.empty() ? "explicit" : "stabilised: " + stages);
+  for (const Prescribed& one : setup.prescribed) {
+    if (!setup.scene.varying.contains(one.field())) continue;
+    std::string largest;
+    for (const double value : one.largest) largest += fmt::format("{}{:.6g}", largest.empty() ? "" : ", ", value);
+    const std::string of = setup.source.units.text(one.parameter.unit_text);
+    text += fmt::format("varies          {}, up to {}{}: {}\n", one.field(), largest, of == "1" ? "" : " " + of,
+                        shown(one));
+  }
   text += "limits on the step, in addition to those of the motion\n";
   for (const auto& limit : setup.limits.all()) {
     if (!std::isfinite(limit.seconds)) continue;

@@ -45,6 +45,7 @@ void tell_keys(Text& text, const PluginFacts& plugin) {
     if (const auto range = parameter.range_text(); !range.empty()) facts += ", " + range;
     if (parameter.is_required) facts += ", required";
     if (!parameter.condition_key.empty()) facts += ", only with " + parameter.condition_text();
+    if (parameter.given) facts += ", as the field " + parameter.field_name + " if it varies";
     if (default_value) facts += ", default " + inline_text(*default_value);
     text.item(parameter.name, facts, parameter.doc_text);
   }

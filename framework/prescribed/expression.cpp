@@ -123,15 +123,51 @@ std::vector<std::string> names_of(const std::map<std::string, int>& values) {
   return names;
 }
 
+struct Habit {
+  const char* written;
+  const char* advice;
+};
+/// What other languages write, and what to write here.
+constexpr Habit habits[] = {{"**", "a power is x^2"},
+                            {"%", "a remainder is mod(a, b)"},
+                            {"?", "to choose between two values write if(condition, this, otherwise)"},
+                            {":", "to choose between two values write if(condition, this, otherwise)"},
+                            {".png", "an image is a table: { image = \"mask.png\", low = 0.0, high = 0.1 }"},
+                            {";", "write one formula"},
+                            {"\"", "write one formula, without quotes in it"}};
+constexpr Habit habits_of_names[] = {{"and", "write &&"},
+                                     {"or", "write ||"},
+                                     {"not", "write !"},
+                                     {"ln", "write log(x)"},
+                                     {"pow", "a power is x^2"},
+                                     {"hypot", "write sqrt(x^2 + y^2)"},
+                                     {"if", "write if(condition, this, otherwise)"},
+                                     {"m", "numbers have no units here"},
+                                     {"s", "numbers have no units here"},
+                                     {"Pa", "numbers have no units here"}};
+
+void refuse_habits(const std::string& text) {
+  for (const auto& [written, advice] : habits)
+    if (text.find(written) != std::string::npos)
+      throw Error(ExitCode::bad_case, fmt::format("holds '{}': {}", written, advice));
+  if (std::ranges::any_of(text, [](unsigned char c) { return c > 127; }))
+    throw Error(ExitCode::bad_case, "holds a character that is on no plain keyboard: write x^2, <=, *, pi");
+}
+
 [[noreturn]] void refuse_name(const std::string& name, const std::vector<std::string>& known, const Vocabulary& words) {
   if (const auto found = words.refused.find(name); found != words.refused.end())
     throw Error(ExitCode::bad_case, fmt::format("\"{}\" {}", name, found->second));
+  for (const auto& [written, advice] : habits_of_names)
+    if (name == written) throw Error(ExitCode::bad_case, fmt::format("\"{}\" is not known: {}", name, advice));
+  std::vector<std::string> calls = {"if"};
+  for (const auto& [function, call] : functions) calls.emplace_back(function);
+  for (const auto& [function, call] : functions_of_two) calls.emplace_back(function);
   std::vector<std::string> all = known;
-  all.emplace_back("if");
-  for (const auto& [function, call] : functions) all.emplace_back(function);
-  for (const auto& [function, call] : functions_of_two) all.emplace_back(function);
+  all.insert(all.end(), calls.begin(), calls.end());
+  const std::string meant = did_you_mean(name, all);
   throw Error(ExitCode::bad_case,
-              fmt::format("\"{}\" is not known{}. There are: {}", name, did_you_mean(name, all), fmt::join(all, ", ")));
+              fmt::format("\"{}\" is not known{} There are {}; and the functions {}", name, meant.empty() ? "." : meant,
+                          fmt::join(known, ", "), fmt::join(calls, ", ")));
 }
 
 }  // namespace
@@ -146,17 +182,12 @@ Vocabulary vocabulary_of(const Scene& scene) {
 }
 
 Program parse_expression(const std::string& text, const Vocabulary& words) {
-  // What muParser has beside operators, and would evaluate by itself.
-  for (const char* const other : {"?", ":", "\"", ";"})
-    if (text.find(other) != std::string::npos)
-      throw Error(
-          ExitCode::bad_case,
-          fmt::format("holds \"{}\": to choose between two values write if(condition, this, otherwise)", other));
+  refuse_habits(text);
   ProgramWriter writer;
   std::map<std::string, int> values;
   constexpr const char* axes[] = {"x", "y", "z"};
   for (int d = 0; d < words.dimension; ++d) values[axes[d]] = writer.coordinate(d);
-  values["t"] = writer.time();
+  if (words.time) values["t"] = writer.time();
   values["pi"] = writer.constant(std::numbers::pi);
   for (const auto& [name, value] : words.constants)
     if (!values.contains(name) && is_name(name)) values[name] = writer.constant(value);

@@ -10,9 +10,10 @@
 
 namespace mesogen {
 
-/// The names that an expression may use beside x, y, z, t, pi and functions.
+/// The names that an expression may use beside x, y, z, pi and functions.
 struct Vocabulary {
   int dimension = 2;
+  bool time = true;  ///< t too
   std::map<std::string, double, std::less<>> constants;
   std::vector<std::string> fields;                          ///< scalar fields of particles
   std::map<std::string, std::string, std::less<>> refused;  ///< others, and why

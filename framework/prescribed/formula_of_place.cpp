@@ -14,8 +14,10 @@ struct Expression::Implementation {
 };
 
 Expression::Expression(const std::string& text, const Scene& scene) {
-  Program program = parse_expression(text, vocabulary_of(scene));
-  if (program.changes_in_time()) throw Error(ExitCode::bad_case, "depends on the time t, and here it must not");
+  Vocabulary words = vocabulary_of(scene);
+  words.time = false;
+  words.refused["t"] = "is the time, on which this must not depend";
+  Program program = parse_expression(text, words);
   implementation_ =
       std::make_unique<const Implementation>(Implementation{std::move(program), surroundings<double>(scene, 0.0)});
 }

@@ -158,15 +158,32 @@ FieldBounds bounds_of(const Prescribed& prescribed) {
   double square = 0.0;
   for (const double one : prescribed.largest) square += one * one;
   const double largest = std::sqrt(square);
-  FieldBounds bounds{
-      -room * largest, room * largest,
-      "Mend " + full_key(prescribed) +
-          ", or let it be as large where the particles start or at an earlier time: limits on the step go "
-          "by the largest value that is found there"};
+  const std::string remedy =
+      prescribed.reads_fields()
+          ? "Limits on the step go by the largest value that " + full_key(prescribed) +
+                " was expected to have: raise the key `largest` in the section that brings what it reads"
+          : "Mend " + full_key(prescribed) +
+                ", or let it be as large where the particles start or at an earlier time: limits on the step go by the "
+                "largest value that is found there";
+  FieldBounds bounds{-room * largest, room * largest, remedy};
   if (prescribed.is_list()) return bounds;
   bounds.lowest = std::max(bounds.lowest, prescribed.parameter.lowest - rounding * largest);
   bounds.highest = std::min(bounds.highest, prescribed.parameter.highest + rounding * largest);
   return bounds;
+}
+
+void take_numbers(Prescribed& prescribed) {
+  prescribed.components.clear();
+  prescribed.largest = prescribed.is_list() ? *std::get<std::vector<double>*>(prescribed.parameter.target)
+                                            : std::vector{*std::get<double*>(prescribed.parameter.target)};
+  for (const double number : prescribed.largest) {
+    ProgramWriter writer;
+    prescribed.components.push_back(writer.finish(writer.constant(number)));
+  }
+}
+
+std::string shown(const Prescribed& prescribed) {
+  return prescribed.parameter.given->value ? shown(*prescribed.parameter.given->value) : "a number";
 }
 
 void set_numbers(const Prescribed& prescribed) {

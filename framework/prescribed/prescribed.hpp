@@ -38,6 +38,12 @@ std::vector<Prescribed> prescribed_in(const std::string& owner, const CaseSectio
 /// Makes the programs. Problems are reported with their places.
 void make_programs(Prescribed& prescribed, const Vocabulary& words, Problems& problems);
 
+/// Makes programs of the numbers that the plugin has.
+void take_numbers(Prescribed& prescribed);
+
+/// The values of the case, for a message.
+MESOGEN_EXPORT std::string shown(const Prescribed& prescribed);
+
 /// Sets the numbers of the plugin to those of largest size.
 void set_numbers(const Prescribed& prescribed);
 

@@ -64,6 +64,11 @@ int ProgramWriter::film(Film film) {
 
 int ProgramWriter::apply(Operation operation, int a, int b, int c) {
   Instruction one{operation, static_cast<std::int16_t>(a), static_cast<std::int16_t>(b), static_cast<std::int16_t>(c)};
+  const auto compares = [&](int n) {
+    return code_[n].operation == Operation::less || code_[n].operation == Operation::less_or_equal;
+  };
+  if ((operation == Operation::less || operation == Operation::less_or_equal) && (compares(a) || compares(b)))
+    throw Error(ExitCode::bad_case, "compares the result of a comparison: for a range write (2 < x) && (x < 5)");
   bool known = true;
   for_arguments(one, [&](std::int16_t n) { known = known && code_[n].operation == Operation::constant; });
   if (known) return constant(exec::result_of(operation, code_[a].number, code_[b].number, code_[c].number));

@@ -76,8 +76,9 @@ class Sampler {
         for (std::size_t d = 0; d < static_cast<std::size_t>(scene_.dimension); ++d)
           place += (d > 0 ? ", " : "") + rounded_text(position[d][i]);
         const Units& units = prescribed_.section.units();
-        problem_ = fmt::format("{}, but is {} at ({}) {}, t = {} {}", wrong, rounded_text(value[i]), place,
-                               units.length, rounded_text(time), units.time);
+        problem_ = fmt::format("{}, but is {} at ({}) {}, t = {} {}", wrong,
+                               std::isnan(value[i]) ? "no number" : rounded_text(value[i]), place, units.length,
+                               rounded_text(time), units.time);
       }
     }
   }
@@ -91,6 +92,13 @@ class Sampler {
   std::string problem_;
 };
 
+/// The first field of which a plugin says that it cannot tell how large it gets; empty if there is none.
+std::string unknown_field(const Program& program, const Scene& scene) {
+  for (const std::string& field : program.fields)
+    if (std::isinf(scene.constant(field + "_largest"))) return field;
+  return {};
+}
+
 /// Each field as it is at the start; then at shares of the largest value that a plugin tells.
 std::vector<std::vector<std::vector<double>>> field_values(const Program& program, const Scene& scene, Index count,
                                                            const FieldAtStart& field_at_start) {
@@ -101,7 +109,8 @@ std::vector<std::vector<std::vector<double>>> field_values(const Program& progra
   }
   std::vector<std::vector<std::vector<double>>> all = {start};
   for (std::size_t n = 0; n < program.fields.size(); ++n)
-    if (const auto at = scene.constants.find(program.fields[n] + "_largest"); at != scene.constants.end()) {
+    if (const auto at = scene.constants.find(program.fields[n] + "_largest");
+        at != scene.constants.end() && std::isfinite(at->second)) {
       // What is largest need not be so where the field is.
       for (const double share : {0.25, 0.5, 0.75, 1.0}) {
         all.push_back(start);
@@ -126,12 +135,12 @@ std::vector<double> largest_values(const Prescribed& prescribed, const Scene& sc
       problems.add(one.place, full_key(prescribed), fmt::format("{} {}", shown(one), sampler.problem()));
     }
     largest.push_back(sampler.largest());
-    if (sampler.problem().empty() && sampler.largest() == 0.0 && !program.fields.empty())
-      problems.add(
-          value_of(prescribed, largest.size() - 1).place, full_key(prescribed),
-          fmt::format("{} is 0 everywhere at the start, so nothing tells how large it gets: let the section of "
-                      "'{}' tell its largest value, or start it above 0",
-                      shown(value_of(prescribed, largest.size() - 1)), program.fields.front()));
+    const std::string unknown = unknown_field(program, scene);
+    if (sampler.problem().empty() && !unknown.empty())
+      problems.add(value_of(prescribed, largest.size() - 1).place, full_key(prescribed),
+                   fmt::format("{} reads '{}', and nothing tells how large that gets: give the key `largest` in the "
+                               "section that brings it",
+                               shown(value_of(prescribed, largest.size() - 1)), unknown));
   }
   return largest;
 }

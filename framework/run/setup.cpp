@@ -88,7 +88,7 @@ void put_together(SetupContext& context) {
 std::unique_ptr<Setup> set_up(Case source, const PluginRegistry& registry, Problems& problems,
                               const SetupAdditions& additions) {
   auto setup = std::make_unique<Setup>(std::move(source));
-  SetupContext context{*setup, registry, problems, additions, ResolvedCase(setup->source), {}, {}};
+  SetupContext context{*setup, registry, problems, additions, ResolvedCase(setup->source), {}, {}, {}};
   choose_backend(context);
   make_plugins(context);
   choose_kernel(context);

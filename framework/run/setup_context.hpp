@@ -18,6 +18,7 @@ struct SetupContext {
   const SetupAdditions& additions;
   ResolvedCase resolved;
   std::vector<Prescribed> prescribed;                        ///< all that is, also if it comes out the same everywhere
+  std::vector<Prescribed> numbers;                           ///< what might vary, and is given as numbers
   std::map<std::string, std::vector<std::string>> may_vary;  ///< keys, by the name of the field that they may become
   bool refused = false;                                      ///< a plugin that the case needs
   bool initial_missing = false;  ///< no plugin has the name of some section: do not ask as well for what it would set

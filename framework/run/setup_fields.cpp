@@ -90,7 +90,7 @@ void choose_output(SetupContext& context) {
     if (field == "position") continue;
     if (setup.catalogue.exists(field)) {
       setup.output_fields.push_back(field);
-    } else {
+    } else if (!context.may_vary.contains(field)) {  // of those a mistake is told by itself
       std::string text = "there is no field '" + field + "' in this scene";
       if (const std::string near = nearest(field, setup.catalogue.names()); !near.empty())
         text += "; did you mean '" + near + "'";

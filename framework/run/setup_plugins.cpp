@@ -1,4 +1,5 @@
 #include "case/framework_keys.hpp"
+#include "case/given_value.hpp"
 #include "plugin/plugin_call.hpp"
 #include "run/setup_context.hpp"
 #include "run/smoothing.hpp"
@@ -62,8 +63,12 @@ void read_parameters(SetupContext& context, const PluginChoice& choice, Plugin& 
     if (prescribed != nullptr) {
       for (Prescribed& one : prescribed_in("physics." + choice.instance, choice.section, list))
         prescribed->push_back(std::move(one));
-      for (const Parameter& parameter : list.all())
-        if (parameter.given) context.may_vary[parameter.field_name].push_back(choice.section.full_key(parameter.name));
+      for (const Parameter& parameter : list.all()) {
+        if (!parameter.given) continue;
+        context.may_vary[parameter.field_name].push_back(choice.section.full_key(parameter.name));
+        if (!parameter.given->value)
+          context.numbers.push_back({"physics." + choice.instance, choice.section, parameter});
+      }
     }
     context.resolved.add(choice.section, list);
     understood = true;

@@ -106,8 +106,28 @@ void find_prescribed(SetupContext& context, Problems& problems) {
   }
 }
 
+namespace {
+
+// A case that stores what may vary gets it also where it does not.
+void add_wanted_numbers(SetupContext& context) {
+  Setup& setup = context.setup;
+  const auto add = [&](const Prescribed& one) {
+    if (!setup.scene.varying.contains(one.field()) &&
+        std::ranges::find(setup.source.output.fields, one.field()) != setup.source.output.fields.end())
+      setup.prescribed.push_back(one);
+  };
+  for (const Prescribed& one : context.prescribed) add(one);
+  for (Prescribed& one : context.numbers) {
+    take_numbers(one);
+    add(one);
+  }
+}
+
+}  // namespace
+
 void collect_prescribed_fields(SetupContext& context) {
   Setup& setup = context.setup;
+  if (context.problems.empty()) add_wanted_numbers(context);
   const auto add = [&](const Prescribed& one, const std::string& name, Rank rank, const std::string& unit,
                        const std::string& doc, std::optional<FieldBounds> bounds) {
     FieldDeclaration field;

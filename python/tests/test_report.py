@@ -12,10 +12,11 @@ import matplotlib
 import numpy as np
 import synthetic
 from matplotlib import image
+from matplotlib.figure import Figure
 
 import mesogen
 from mesogen import report
-from mesogen.figures import director, pathlines, series, style, vorticity
+from mesogen.figures import director, light, pathlines, series, style, vorticity
 from mesogen.figures.scene import Scene
 
 FILES = ["director.png", "vorticity.png", "pathlines.png", "mixing.png", "series.png", "summary.png"]
@@ -42,6 +43,24 @@ class Pictures(synthetic.FolderTest):
             self.assertGreater((pixels < 0.9).any(axis=2).mean(), 0.01, name)
             self.assertGreater(len(np.unique((pixels[::4, ::4] * 20).astype(int).reshape(-1, 3), axis=0)), 20, name)
         self.assertEqual(dict(matplotlib.rcParams), before)
+
+    def test_shows_the_edges_of_the_light(self):
+        position = synthetic.lattice()
+        for name, dark in (("half", 0.0), ("even", 0.3)):
+            results = synthetic.Results(os.path.join(self.folder, name))
+            results.field("position", "m", [position])
+            results.field("activity", "Pa", [np.where(position[:, 0] < 0.5 * synthetic.BOX[0], 0.3, dark)])
+            with mesogen.open(results.close()) as run:
+                axes = Figure().subplots()
+                light.draw(axes, Scene(run, -1))
+                lines = [path.vertices for collection in axes.collections for path in collection.get_paths()]
+            if name == "even":
+                self.assertEqual(lines, [])
+                continue
+            # Half way of the box, and where it begins and ends.
+            edges = {round(float(x), 1) for line in lines for x in line[:, 0]}
+            self.assertTrue(edges <= {-0.0, 0.0, 0.5 * synthetic.BOX[0], float(synthetic.BOX[0])}, edges)
+            self.assertIn(0.5 * synthetic.BOX[0], edges)
 
     def test_leaves_out_what_is_not_stored(self):
         results = synthetic.Results(self.folder)

@@ -22,7 +22,10 @@ class SoluteSpots final : public Initial {
     list.number("background", background_).doc("concentration away from all spots");
     list.rows("spots", spots_)
         .sizes({4})
-        .doc("x and y of the centre (m), radius (m), and value at the centre, for each spot");
+        .doc(
+            "x and y of the centre (m), radius (m) at which a spot has fallen to 1/e, and what it adds to the "
+            "background "
+            "at its centre, for each spot");
   }
 
   void plan(InitialPlan& plan) const override {

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include "mesogen/plugin/physics.hpp"
@@ -41,13 +42,16 @@ class Solute final : public Physics {
         .doc(
             "how much of it there will be at most, for limits on the step by numbers that depend on it; auto: as at "
             "the "
-            "start, or source / decay if that is more");
+            "start, or source / decay if that is more; needed where a source is not held by a decay that is a number");
   }
 
-  // Where nothing but source and decay act, no more than their ratio is reached.
+  // Of a source and a decay that are the same everywhere no more than their ratio is reached. What is fed without that
+  // grows by no rule that could be known here.
   void publish(Scene& scene) const override {
-    const double balance = decay_ > 0.0 ? std::max(0.0, source_ / decay_) : 0.0;
-    const double expected = std::max(balance, scene.initial_extent("solute").largest);
+    const bool unknown = source_ > 0.0 && (!(decay_ > 0.0) || scene.varying.contains("solute_decay"));
+    const double balance = source_ > 0.0 ? source_ / decay_ : 0.0;
+    const double expected =
+        unknown ? std::numeric_limits<double>::infinity() : std::max(balance, scene.initial_extent("solute").largest);
     scene.constants["solute_largest"] = largest_.value_or(expected);
   }
 

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "mesogen/testing/plugin_harness.hpp"
 
 namespace {
@@ -24,6 +26,8 @@ TEST(Solute, TellsHowMuchOfItThereWillBe) {
   };
   EXPECT_DOUBLE_EQ(largest("diffusivity = 0.1\nsource = 0.3\ndecay = 0.5"), 0.6);
   EXPECT_DOUBLE_EQ(largest("diffusivity = 0.1\nsource = 0.3\nlargest = 2.0"), 2.0);
+  EXPECT_TRUE(std::isinf(largest("diffusivity = 0.1\nsource = 0.3")));
+  EXPECT_TRUE(std::isinf(largest("diffusivity = 0.1\nsource = 0.3\ndecay = '0.1 + 0.5 * (x > 0.5)'")));
   EXPECT_DOUBLE_EQ(largest("diffusivity = 0.1\nsource = -0.3\ndecay = 0.5"), 0.0);
 }
 

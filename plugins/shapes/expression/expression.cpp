@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "mesogen/diagnostics/error.hpp"
@@ -27,7 +29,7 @@ class ShapeByExpression final : public Shape {
         .required()
         .doc(
             "formula of x and y (m): below 0 inside, above 0 outside, with a slope wherever it is 0. It need not grow "
-            "like a distance: \"x^2 / 4 + y^2 - 1\"");
+            "like a distance: \"(x - 5)^2 / 4 + (y - 5)^2 - 1\"");
     list.numbers("centre", centre_).unit("m").sizes({2}).doc("the point around which it turns");
   }
 
@@ -40,7 +42,7 @@ class ShapeByExpression final : public Shape {
     check_finite(scene);
     step_ = 1e-4 * scene.spacing;
     farthest_ = scene.support;
-    check_slope(scene);
+    find_surface(scene);
   }
 
   [[nodiscard]] double distance(const Point& at) const override {
@@ -50,8 +52,8 @@ class ShapeByExpression final : public Shape {
     const double sign = value < 0.0 ? -1.0 : 1.0;
     const double steepness = std::hypot(near.x, near.y);
     const double guess = std::abs(value) / steepness;
-    // Far away, or where the formula is flat, the sign is enough.
-    if (!(guess < 4.0 * farthest_)) return sign * std::max(2.0 * farthest_, std::isfinite(guess) ? guess : 0.0);
+    // Far away the points of the surface are near enough.
+    if (!(guess < 4.0 * farthest_)) return sign * distance_to_surface(at);
     const Point foot = foot_of(at);
     return sign * std::hypot(at[0] - foot[0], at[1] - foot[1]);
   }
@@ -74,18 +76,43 @@ class ShapeByExpression final : public Shape {
       }
   }
 
-  // Where the sign changes from one point to the next, the surface must be near.
-  void check_slope(const Scene& scene) const {
-    const double apart = std::hypot(scene.box[0], scene.box[1]) / along;
+  // Points of the surface: where the sign changes from one point of the grid to the next.
+  void find_surface(const Scene& scene) {
     for (int j = 0; j <= along; ++j)
-      for (int i = 0; i < along; ++i) {
-        const Point at = point_of(scene, i, j);
-        if (((*formula_)(at) < 0.0) == ((*formula_)(point_of(scene, i + 1, j)) < 0.0)) continue;
-        if (std::abs(distance(at)) > 2.0 * apart)
-          throw BadParameter("distance", formatted("\"%s\" must rise through 0 with a slope, but jumps or is flat near "
-                                                   "(%g, %g): write a formula that grows with the distance",
-                                                   text_.c_str(), at[0], at[1]));
-      }
+      for (int i = 0; i <= along; ++i)
+        for (const auto& [right, up] : {std::pair(1, 0), std::pair(0, 1)}) {
+          Point inside = point_of(scene, i, j);
+          Point outside = point_of(scene, i + right, j + up);
+          if (((*formula_)(inside) < 0.0) == ((*formula_)(outside) < 0.0)) continue;
+          if ((*formula_)(outside) < 0.0) std::swap(inside, outside);
+          for (int n = 0; n < 50; ++n) {
+            const Point middle = {0.5 * (inside[0] + outside[0]), 0.5 * (inside[1] + outside[1]), 0.0};
+            ((*formula_)(middle) < 0.0 ? inside : outside) = middle;
+          }
+          check_slope(inside, scene.spacing);
+          surface_.push_back(inside);
+        }
+  }
+
+  // From a point of the surface on it must rise, by no jump.
+  void check_slope(const Point& at, double spacing) const {
+    const Near near = look_at(at);
+    const double steepness = std::hypot(near.x, near.y);
+    const Point beyond = {at[0] + spacing * near.x / steepness, at[1] + spacing * near.y / steepness, 0.0};
+    const double rise = steepness > 0.0 ? std::abs((*formula_)(beyond)) : 0.0;
+    if (steepness * spacing > 0.1 * rise && std::abs(near.value) < 0.1 * rise) return;
+    throw BadParameter("distance",
+                       formatted("\"%s\" must rise through 0 with a slope, but jumps or is flat at (%g, %g): "
+                                 "write a formula that grows with the distance",
+                                 text_.c_str(), at[0], at[1]));
+  }
+
+  [[nodiscard]] double distance_to_surface(const Point& at) const {
+    double least = 2.0 * farthest_;
+    double square = std::numeric_limits<double>::infinity();
+    for (const Point& point : surface_)
+      square = std::min(square, (at[0] - point[0]) * (at[0] - point[0]) + (at[1] - point[1]) * (at[1] - point[1]));
+    return std::isfinite(square) ? std::sqrt(square) : least;
   }
 
   /// The formula near a point: value, slope and curvatures, by differences.
@@ -134,6 +161,7 @@ class ShapeByExpression final : public Shape {
   std::optional<Expression> formula_;
   double step_ = 0.0;      // of differences, m
   double farthest_ = 0.0;  // as far as a distance must be right, m
+  std::vector<Point> surface_;
 };
 
 }  // namespace

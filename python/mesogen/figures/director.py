@@ -6,7 +6,7 @@ from matplotlib.colors import LinearSegmentedColormap
 
 from .. import nematics
 from ..grid import sample
-from . import solids, style
+from . import light, solids, style
 
 # Dark at the cores, pale where the nematic is ordered, so that dark lines stand on it. Perceptually uniform: each
 # colour sits where its lightness L* puts it.
@@ -34,6 +34,7 @@ def draw(axes, scene, lines_across=46):
         order, origin="lower", extent=scene.grid.extent, cmap=ORDER_COLOURS, vmin=0, vmax=top, interpolation="bicubic"
     )
     draw_lines(axes, scene, lines_across)
+    light.draw(axes, scene)
     solids.draw(axes, scene)
     draw_defects(axes, scene, defect_size(scene.box, len(scene.defects)))
     style.box_axes(axes, scene.box, scene.run.length_unit)

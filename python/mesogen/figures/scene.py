@@ -50,7 +50,10 @@ class Scene:
         return self._grid()
 
     def _grid(self, refine=1.0):
-        return Grid.for_particles(self.box, self.run.count, refine, self.run.periodic, self.run.length_unit)
+        # Solids may fill most of the box: the number of particles does not tell how far apart they are.
+        spacing = self.run.parameters.get("particles", {}).get("spacing")
+        count = self.run.count if spacing is None else np.prod(self.box[:2]) / spacing**2
+        return Grid.for_particles(self.box, count, refine, self.run.periodic, self.run.length_unit)
 
     @cached_property
     def deposit(self):
@@ -67,6 +70,11 @@ class Scene:
         """(u, v) on the grid."""
         stored = self.run.field("velocity", self.frame)
         return tuple(self.deposit(stored[:, c]) for c in (0, 1))
+
+    @cached_property
+    def activity(self):
+        """Of an activity that varies, on the grid."""
+        return self.deposit(self.run.field("activity", self.frame))
 
     @cached_property
     def vorticity(self):

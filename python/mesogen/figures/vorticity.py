@@ -3,7 +3,7 @@
 import numpy as np
 
 from ..grid import Grid, sample
-from . import solids, style
+from . import light, solids, style
 
 STREAM_CELLS = 96  # cells along the longer side are enough for streamlines, and keep them quick
 
@@ -22,6 +22,7 @@ def draw(axes, scene, density=1.5):
         interpolation="bicubic",
     )
     _draw_streamlines(axes, scene, density)
+    light.draw(axes, scene)
     solids.draw(axes, scene)
     style.box_axes(axes, scene.box, scene.run.length_unit)
     style.titles(axes, "Vorticity and streamlines", scene)

@@ -92,14 +92,23 @@ TEST(Expression, ThatCannotBeReadIsRefused) {
   const auto refusal = [](const std::string& text) {
     return error_of([&] { (void)parse_expression(text, words()); }, ExitCode::bad_case);
   };
-  EXPECT_NE(
-      refusal("0.08 * (visosity < 5)")
-          .find("\"visosity\" is not known; did you mean \"viscosity\"?. There are: pi, solute, t, viscosity, x, y, "
-                "if, sin, cos"),
-      std::string::npos)
+  EXPECT_NE(refusal("0.08 * (visosity < 5)")
+                .find("\"visosity\" is not known; did you mean \"viscosity\"? There are pi, solute, t, viscosity, x, y; "
+                      "and the functions if, sin, cos"),
+            std::string::npos)
       << refusal("0.08 * (visosity < 5)");
+  EXPECT_NE(refusal("qq").find("\"qq\" is not known. There are pi, "), std::string::npos) << refusal("qq");
   EXPECT_EQ(refusal("2 * elastic_constant"), "\"elastic_constant\" is prescribed itself");
-  EXPECT_EQ(refusal("x < 5 ? 1 : 2"), "holds \"?\": to choose between two values write if(condition, this, otherwise)");
+  EXPECT_EQ(refusal("x < 5 ? 1 : 2"), "holds '?': to choose between two values write if(condition, this, otherwise)");
+  EXPECT_EQ(refusal("x**2"), "holds '**': a power is x^2");
+  EXPECT_EQ(refusal("x % 2"), "holds '%': a remainder is mod(a, b)");
+  EXPECT_EQ(refusal("mask.png"), "holds '.png': an image is a table: { image = \"mask.png\", low = 0.0, high = 0.1 }");
+  EXPECT_EQ(refusal("x; y"), "holds ';': write one formula");
+  EXPECT_EQ(refusal("2 * \xcf\x80"), "holds a character that is on no plain keyboard: write x^2, <=, *, pi");
+  EXPECT_EQ(refusal("2 < x < 5"), "compares the result of a comparison: for a range write (2 < x) && (x < 5)");
+  EXPECT_EQ(refusal("ln(x)"), "\"ln\" is not known: write log(x)");
+  EXPECT_EQ(refusal("if (x < 5) 1 else 2"), "\"if\" is not known: write if(condition, this, otherwise)");
+  EXPECT_EQ(refusal("3 Pa"), "\"Pa\" is not known: numbers have no units here");
   EXPECT_EQ(refusal("x, y"), "has several results, apart by commas: it must give one number");
   EXPECT_NE(refusal("0.08 * (x < 5").find("cannot be read: "), std::string::npos);
   EXPECT_NE(refusal("x = 5").find("cannot be read: "), std::string::npos) << refusal("x = 5");

@@ -131,6 +131,20 @@ TEST(Prescribed, IsAFieldThatCanBeStored) {
   }
 }
 
+// So runs with and without a pattern can be compared.
+TEST(Prescribed, ANumberCanBeStoredByTheSameName) {
+  CaseText stored = active("0.3");
+  stored.read("\"activity\", \"body_force\"");
+  CaseRun run(stored);
+  EXPECT_FALSE(run.setup().scene.varying.contains("activity"));
+  run.run_steps(3);
+  for (const double value : run.field("activity")) EXPECT_EQ(value, 0.3);
+  for (const double value : run.field("body_force", 1)) EXPECT_EQ(value, -0.2);
+  CaseRun plain(active("0.3"));
+  plain.run_steps(3);
+  EXPECT_EQ(run.field("velocity"), plain.field("velocity"));
+}
+
 TEST(Prescribed, AnImageLiesOverTheBoxWithItsTopAtTheTop) {
   const std::string top = test::write_png("top.png", 1, 2, {255, 0});
   const std::string bottom = test::write_png("bottom.png", 1, 2, {0, 255});
