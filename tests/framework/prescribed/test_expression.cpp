@@ -92,10 +92,11 @@ TEST(Expression, ThatCannotBeReadIsRefused) {
   const auto refusal = [](const std::string& text) {
     return error_of([&] { (void)parse_expression(text, words()); }, ExitCode::bad_case);
   };
-  EXPECT_NE(refusal("0.08 * (visosity < 5)")
-                .find("\"visosity\" is not known; did you mean \"viscosity\"? There are pi, solute, t, viscosity, x, y; "
-                      "and the functions if, sin, cos"),
-            std::string::npos)
+  EXPECT_NE(
+      refusal("0.08 * (visosity < 5)")
+          .find("\"visosity\" is not known; did you mean \"viscosity\"? There are pi, solute, t, viscosity, x, y; "
+                "and the functions if, sin, cos"),
+      std::string::npos)
       << refusal("0.08 * (visosity < 5)");
   EXPECT_NE(refusal("qq").find("\"qq\" is not known. There are pi, "), std::string::npos) << refusal("qq");
   EXPECT_EQ(refusal("2 * elastic_constant"), "\"elastic_constant\" is prescribed itself");

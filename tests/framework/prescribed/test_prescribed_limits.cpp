@@ -34,10 +34,11 @@ CaseText fuelled(const std::string& fuel) {
 }
 
 TEST(Prescribed, AFieldThatStartsFromNothingMustTellHowMuchItBecomes) {
-  EXPECT_NE(error_of([] { CaseRun run(fuelled("")); }, ExitCode::bad_case)
-                .find("physics.activity.activity: \"0.3 * solute\" reads 'solute', and nothing tells how large that gets: "
-                      "give the key `largest` in the section that brings it"),
-            std::string::npos);
+  EXPECT_NE(
+      error_of([] { CaseRun run(fuelled("")); }, ExitCode::bad_case)
+          .find("physics.activity.activity: \"0.3 * solute\" reads 'solute', and nothing tells how large that gets: "
+                "give the key `largest` in the section that brings it"),
+      std::string::npos);
   CaseRun run(fuelled("largest = 0.5"));
   EXPECT_DOUBLE_EQ(run.setup().scene.constant("activity"), 0.15);
   const std::string found = error_of([&] { run.run_to(1.0); }, ExitCode::run_failed);
