@@ -137,7 +137,7 @@ TEST(EmulatedDevice, MakesPrescribedValues) {
   CaseText text = observed(active_scene("single", "periodic_wrap"));
   text.section("physics.activity", "type = \"active_stress\"\nactivity = { image = [\"" + dark + "\", \"" + bright +
                                        "\"], times = [0.0, 0.5], low = -0.1, high = 0.4 }")
-      .section("physics.fuel", "type = \"solute\"\ndiffusivity = 0.01\nsource = \"0.1 + 0.2 * x * t\"")
+      .section("physics.fuel", "type = \"solute\"\ndiffusivity = 0.01\nsource = \"0.1 + 0.2 * x * t\"\nlargest = 1.0")
       .section("physics.substrate", "type = \"friction\"\ncoefficient = \"0.3 + 0.1 * sin(y) + solute\"")
       .section("output", "fields = [\"velocity\", \"order_tensor\", \"activity\", \"activity_gradient\"]");
   const Story host = run_on_host(text);
