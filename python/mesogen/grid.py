@@ -37,6 +37,16 @@ class Grid:
         spacing = np.sqrt(box.prod() / max(count, 1)) / refine
         return cls(box, np.maximum(4, np.rint(box / spacing)).astype(int), periodic, length_unit)
 
+    def to_the_faces(self, *fields):
+        """x, y and fields of shape (ny, nx) with one cell more on each side, so that lines drawn of them end at the faces
+        of the box."""
+        x, y = (np.concatenate([[c[0] - d], c, [c[-1] + d]]) for c, d in zip((self.x, self.y), self.cell))
+        for axis in (0, 1):
+            sides = [(1, 1) if a == 1 - axis else (0, 0) for a in (0, 1)]
+            beyond = "wrap" if self.periodic[axis] else "edge"
+            fields = [np.pad(field, sides, mode=beyond) for field in fields]
+        return x, y, *fields
+
     def __repr__(self):
         lengths = " x ".join(f"{length:g} {self.length_unit}" for length in self.box)
         return f"<mesogen.Grid {self.shape[1]} x {self.shape[0]} cells over {lengths}>"

@@ -1,7 +1,5 @@
 """The edges of the light: where an activity that varies, and is stored, is half way between its least and its most."""
 
-import numpy as np
-
 COLOUR = "#e0a100"
 
 
@@ -13,11 +11,6 @@ def draw(axes, scene):
     low, high = float(activity.min()), float(activity.max())
     if not high - low > 1e-6 * max(abs(low), abs(high)):
         return
-    grid = scene.grid
-    # One cell more on each side, so that lines end at the faces of the box.
-    x, y = (np.concatenate([[c[0] - d], c, [c[-1] + d]]) for c, d in zip((grid.x, grid.y), grid.cell))
-    for axis in (0, 1):
-        sides = [(1, 1) if a == 1 - axis else (0, 0) for a in (0, 1)]
-        activity = np.pad(activity, sides, mode="wrap" if grid.periodic[axis] else "edge")
+    x, y, activity = scene.grid.to_the_faces(activity)
     axes.contour(x, y, activity, levels=[0.5 * (low + high)], colors=[COLOUR], linewidths=1.4, linestyles="dashed",
                  zorder=2.5)

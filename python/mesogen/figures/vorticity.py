@@ -34,12 +34,7 @@ def _draw_streamlines(axes, scene, density):
     speed = np.hypot(u, v)
     if not speed.max() > 0:
         return
-    # One cell more on each side, so that lines run up to the faces of the box.
-    x, y = (np.concatenate([[c[0] - d], c, [c[-1] + d]]) for c, d in zip((grid.x, grid.y), grid.cell))
-    for axis in (0, 1):
-        sides = [(1, 1) if a == 1 - axis else (0, 0) for a in (0, 1)]
-        beyond = "wrap" if grid.periodic[axis] else "edge"
-        u, v, speed = (np.pad(field, sides, mode=beyond) for field in (u, v, speed))
+    x, y, u, v, speed = grid.to_the_faces(u, v, speed)
     share = np.array(scene.box) / max(scene.box)
     axes.streamplot(
         x, y, u, v, density=density * share, color=(0.1, 0.12, 0.15, 0.8),
