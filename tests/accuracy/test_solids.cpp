@@ -102,6 +102,25 @@ TEST(BetweenSolids, AnActiveDishHoldsTheChargeOfItsRim) {
   }
 }
 
+// Elasticity drives a flow until the nematic has settled, and none afterwards. Stress x size / viscosity is 4 m/s.
+TEST(BetweenSolids, APassiveNematicInAPolygonComesToRest) {
+  CaseText text(5.0, 25);
+  text.section("solids.rim",
+               "shape = \"polygon\"\npoints = [[0.5, 0.5], [4.5, 0.5], [4.5, 4.5], [2.5, 3.5], [0.5, 4.5]]\n"
+               "fluid = \"inside\"\nanchoring = \"tangential\"")
+      .flow(1.0)
+      .section("physics.nematic",
+               "type = \"beris_edwards\"\nrotational_diffusivity = 4.0\nflow_alignment = 0.7\n"
+               "elastic_constant = 0.1\nbulk = { A = -1.0, C = 0.5 }")
+      .section("physics.elasticity", "type = \"elastic_stress\"")
+      .section("director", "type = \"perturbed\"\namplitude = 0.6\nseed = 4");
+  CaseRun run(text);
+  run.run_to(2.0);
+  EXPECT_GT(run.observe("flow_statistics", "v_rms"), 1e-3);
+  run.run_to(24.0);
+  EXPECT_LT(run.observe("flow_statistics", "v_rms"), 1e-6);
+}
+
 // Between a wall that holds Q12 = 0 strongly and one that pulls it to 1 with W: Q12 = y / (H + K / W), a slip of
 // (K / W) / (H + K / W) at the second.
 TEST(BetweenSolids, WeakAnchoringLetsTheNematicSlip) {
