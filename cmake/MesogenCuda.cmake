@@ -36,6 +36,11 @@ function(mesogen_add_cuda_library name kind libraries)
   # libraries.
   target_compile_options(${name} PRIVATE $<$<COMPILE_LANGUAGE:CUDA>:--expt-relaxed-constexpr
                          --Werror=cross-execution-space-call -Xcompiler=-fopenmp>)
+  # Of the libraries of this project a test reads what the compiler says of their kernels.
+  if(MESOGEN_KERNEL_REPORT)
+    target_compile_options(${name} PRIVATE $<$<COMPILE_LANGUAGE:CUDA>:-Xptxas=-v>)
+    set_property(TARGET ${name} PROPERTY RULE_LAUNCH_COMPILE "${MESOGEN_KERNEL_REPORT} <OBJECT>")
+  endif()
   # Its own copy of what libmesogen_sph and libmesogen hold as well is the one that it must call.
   target_link_options(${name} PRIVATE -Wl,-Bsymbolic)
   target_link_libraries(${name} PRIVATE Mesogen::mesogen OpenMP::OpenMP_CXX CUDA::cudart)

@@ -12,6 +12,7 @@ class HostBackend final : public exec::BackendImpl {
   [[nodiscard]] bool has_host_code() const override { return true; }
   void finish() const override {}
   [[nodiscard]] const exec::CellLoops& cells() const override { return cells_; }
+  [[nodiscard]] const mesh::DeviceMesh* mesh() const override { return nullptr; }
 
  private:
   exec::HostCellLoops cells_;

@@ -3,11 +3,15 @@
 #include <string>
 #include <type_traits>
 
-#include "exec/device_memory.hpp"
+#include "mesogen/exec/device_memory.hpp"
 #include "mesogen/exec/for_each.hpp"
 #include "mesogen/export.hpp"
 
 namespace mesogen {
+
+namespace mesh {
+class DeviceMesh;  // mesogen/mesh/device_mesh.hpp
+}
 
 namespace exec {
 
@@ -40,11 +44,13 @@ class MESOGEN_EXPORT Backend {
 
   /// "NVIDIA H200"; empty on the host.
   [[nodiscard]] virtual std::string device() const = 0;
+  /// What a device's code is compiled for, "sm_90": bits of results differ between such. Empty on the host.
+  [[nodiscard]] virtual std::string architecture() const { return {}; }
   [[nodiscard]] bool on_host() const { return device().empty(); }
   [[nodiscard]] virtual exec::Space space() const = 0;
   /// What arrays are made with: null on the host, where there is no other memory.
   [[nodiscard]] virtual exec::DeviceMemory* memory() const = 0;
-  /// Are its loops compiled as code of the host is? Then pair sums go by blocks of neighbours, otherwise by cells.
+  /// Are its loops compiled as code of the host is? Then pair sums go by blocks of neighbours, otherwise by runs.
   [[nodiscard]] virtual bool has_host_code() const = 0;
   /// Waits until all that was asked for is done. Throws Error(run_failed) if some of it failed. Used to measure
   /// the time of work and to find errors where they arise. Arrays wait by themselves where results are read.
@@ -72,6 +78,9 @@ class MESOGEN_EXPORT Backend {
       return double_pairs();
     }
   }
+
+  /// What it offers a mesh beside the particles; null on the host.
+  [[nodiscard]] virtual const mesh::DeviceMesh* mesh() const = 0;
 
   static const Backend& host();
 

@@ -1,4 +1,4 @@
-#include "exec/buffer.hpp"
+#include "mesogen/exec/buffer.hpp"
 
 #include <algorithm>
 #include <cstring>

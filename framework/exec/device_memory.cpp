@@ -1,4 +1,4 @@
-#include "exec/device_memory.hpp"
+#include "mesogen/exec/device_memory.hpp"
 
 #include <fmt/format.h>
 

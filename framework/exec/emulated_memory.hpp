@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include "exec/device_memory.hpp"
+#include "mesogen/exec/device_memory.hpp"
 
 namespace mesogen::exec {
 

@@ -20,8 +20,8 @@ class Reductions {
  public:
   static constexpr int size = 64;
 
-  /// On a device: as many numbers there, and as many on the host in pinned memory, which can be copied to while both
-  /// work.
+  /// On a device: as many numbers there, all of them 0, and as many on the host in pinned memory, which can be copied
+  /// to while both work.
   explicit Reductions(double* device = nullptr, double* pinned = nullptr)
       : device_(device), pinned_(pinned == nullptr ? own_ : pinned) {}
   Reductions(const Reductions&) = delete;
@@ -43,8 +43,12 @@ class Reductions {
 #ifdef __CUDACC__
     if (space.device) {
       const auto stream = static_cast<cudaStream_t>(space.stream);
-      check_cuda(cudaMemcpyAsync(pinned_, device_, size * sizeof(double), cudaMemcpyDeviceToHost, stream),
-                 "the results of reductions");
+      if (rounds_ > 0) {
+        fetch(waited_, size, stream);
+        fetch(0, next_, stream);
+      } else {
+        fetch(waited_, next_, stream);
+      }
       check_cuda(cudaStreamSynchronize(stream), "the results of reductions");
     }
 #else
@@ -63,6 +67,18 @@ class Reductions {
   [[nodiscard]] double* pinned(Reduction reduction) const { return pinned_ + reduction.place; }
 
  private:
+#ifdef __CUDACC__
+  // Brings the results of these places, and makes the places ready for the next loops that look: so a loop need not be
+  // preceded by a start of its own that sets its place to zero.
+  void fetch(int first, int end, cudaStream_t stream) {
+    if (first == end) return;
+    const auto bytes = static_cast<std::size_t>(end - first) * sizeof(double);
+    check_cuda(cudaMemcpyAsync(pinned_ + first, device_ + first, bytes, cudaMemcpyDeviceToHost, stream),
+               "the results of reductions");
+    check_cuda(cudaMemsetAsync(device_ + first, 0, bytes, stream), "the results of reductions");
+  }
+#endif
+
   double own_[size] = {};
   double* device_;
   double* pinned_;
@@ -90,20 +106,23 @@ struct Maxima {
 #ifdef __CUDACC__
 namespace detail {
 
-constexpr int reducing_block = 256;
+using ReducingBlocks = ThreadBlocks<256>;
 
 template <int Count, class Function>
-__global__ void find_largest(Index count, Function function, double* largest) {
-  const Index i = static_cast<Index>(blockIdx.x) * static_cast<Index>(blockDim.x) + static_cast<Index>(threadIdx.x);
+__global__ void __launch_bounds__(ReducingBlocks::size) find_largest(Index count, Function function, double* largest) {
+  const unsigned i = ReducingBlocks::thread(blockIdx.x, threadIdx.x);
   Maxima<Count> own{};
-  if (i < count) function(i, own);
+  if (i < static_cast<unsigned>(count)) function(static_cast<Index>(i), own);
   for (int n = 0; n < Count; ++n) {
     auto most = static_cast<unsigned long long>(own.bits[n]);
     for (int step = 16; step > 0; step /= 2) {
       const unsigned long long other = __shfl_xor_sync(0xFFFFFFFFU, most, step);
       if (other > most) most = other;
     }
-    if (threadIdx.x % 32 == 0 && most > 0) atomicMax(reinterpret_cast<unsigned long long*>(largest + n), most);
+    // A look first: most warps find no more than others did before them, and additions to one place wait for each
+    // other.
+    auto* const all = reinterpret_cast<unsigned long long*>(largest + n);
+    if (threadIdx.x % 32 == 0 && most > *static_cast<volatile unsigned long long*>(all)) atomicMax(all, most);
   }
 }
 
@@ -119,11 +138,10 @@ Reduction find_largest(const Space& space, Reductions& reductions, Index count, 
 #ifdef __CUDACC__
   if (space.device) {
     const auto stream = static_cast<cudaStream_t>(space.stream);
-    constexpr int block = detail::reducing_block;
-    check_cuda(cudaMemsetAsync(reductions.device(reduction), 0, Count * sizeof(double), stream), what);
+    using Blocks = detail::ReducingBlocks;
     if (count > 0)
       detail::find_largest<Count>
-          <<<(count + block - 1) / block, block, 0, stream>>>(count, function, reductions.device(reduction));
+          <<<Blocks::number(count), Blocks::size, 0, stream>>>(count, function, reductions.device(reduction));
     check_launch(what);
     return reduction;
   }

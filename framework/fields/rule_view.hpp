@@ -19,20 +19,22 @@ struct RuleView {
     return components * (diagonal ? 2 : components + 1);
   }
 
-  /// value = A value + b by the n-th rule.
-  MESOGEN_HOST_DEVICE void apply(Index n, double* value) const {
+  /// value = A value + b by the n-th rule. `count`: the number of components, an int, or exec::Number where the
+  /// compiler knows it: a device then keeps the values in registers.
+  template <class Count>
+  MESOGEN_HOST_DEVICE void apply(Index n, double* value, Count count) const {
     if (numbers == nullptr) return;
-    const double* const rule = numbers + static_cast<std::ptrdiff_t>(n) * size(components, diagonal);
+    const double* const rule = numbers + static_cast<std::ptrdiff_t>(n) * size(count, diagonal);
     if (diagonal) {
-      for (int c = 0; c < components; ++c) value[c] = rule[c] * value[c] + rule[components + c];
+      for (int c = 0; c < count; ++c) value[c] = rule[c] * value[c] + rule[count + c];
       return;
     }
     double result[AffineRule::most];
-    for (int r = 0; r < components; ++r) {
-      result[r] = rule[components * components + r];
-      for (int c = 0; c < components; ++c) result[r] += rule[r * components + c] * value[c];
+    for (int r = 0; r < count; ++r) {
+      result[r] = rule[count * count + r];
+      for (int c = 0; c < count; ++c) result[r] += rule[r * count + c] * value[c];
     }
-    for (int c = 0; c < components; ++c) value[c] = result[c];
+    for (int c = 0; c < count; ++c) value[c] = result[c];
   }
 };
 

@@ -107,7 +107,7 @@ class Rehearsal {
   /// Processor time of stepping and of all else, but for beginning again; s.
   [[nodiscard]] double cpu() const { return cpu_seconds() - cpu_of_beginning_again_; }
   [[nodiscard]] double skin() { return stepper_->state().neighbourhood.skin(); }
-  [[nodiscard]] double fastest() const { return stepper_->fastest(); }
+  [[nodiscard]] double fastest() const { return stepper_->motion().fastest; }
 
  private:
   [[nodiscard]] std::vector<bool> everybody(bool due) const {

@@ -3,6 +3,7 @@
 #include "ghosts/ghost_loops.hpp"
 #include "ghosts/images.hpp"
 #include "neighbours/cell_grid.hpp"
+#include "particles/components.hpp"
 
 /// The loops over ghosts, compiled twice: by g++ for the host, by nvcc for CUDA.
 ///
@@ -16,7 +17,7 @@ struct CountGhosts {
   Index* number;
 
   MESOGEN_HOST_DEVICE void operator()(Index i) const {
-    double offset[3];
+    double offset[3] = {};
     number[i] = 0;
     for (int image = 0; image < search.images.count; ++image)
       if (search.sees(image, i, offset)) ++number[i];
@@ -31,15 +32,15 @@ struct ListGhosts {
   std::int64_t* number;  // of each ghost in this order
 
   MESOGEN_HOST_DEVICE void operator()(Index i) const {
-    double offset[3];
+    double offset[3] = {};
     Index n = begin[i];
     for (int image = 0; image < search.images.count; ++image) {
       if (!search.sees(image, i, offset)) continue;
       CellGrid::Cell cell{};
-      for (int d = 0; d < search.dimension; ++d) {
+      for_axes(search.dimension, [&](int d) {
         cell[d] = grid.beside(d, search.position[d][i] + offset[d], search.images.boxes[image][d]);
         to.offset[d][n] = offset[d];
-      }
+      });
       to.source[n] = i;
       to.image[n] = static_cast<std::uint8_t>(image);
       to.cell[n] = grid.padded_index(cell);
@@ -63,10 +64,10 @@ struct OrderGhosts {
     to.image[n] = from.image[at];
     to.cell[n] = from.cell[at];
     const CellGrid::Cell cell = grid.padded(from.cell[at]);
-    for (int d = 0; d < grid.dimension(); ++d) {
+    for_axes(grid.dimension(), [&](int d) {
       to.offset[d][n] = from.offset[d][at];
       origin[d][n] = grid.tile_origin(d, cell[d]);
-    }
+    });
   }
 };
 
@@ -90,25 +91,32 @@ struct FindGhostRanges {
   }
 };
 
-/// Values of ghosts: those of their sources, by the rules of their images.
+/// Values of ghosts: those of their sources.
 template <class Real>
-struct RefreshGhosts {
+struct CopyToGhosts {
   FieldView<Real> field;
   int components;
+  GhostView ghosts;
+
+  MESOGEN_HOST_DEVICE void operator()(Index n) const {
+    for (int c = 0; c < components; ++c) field(c, ghosts.first + n) = field(c, ghosts.source[n]);
+  }
+};
+
+/// The same by the rules of their images.
+template <class Real, int Components>
+struct RefreshGhosts {
+  FieldView<Real> field;
   GhostView ghosts;
   RuleView rules;
 
   MESOGEN_HOST_DEVICE void operator()(Index n) const {
     const Index from = ghosts.source[n];
     const Index to = ghosts.first + n;
-    if (!rules) {
-      for (int c = 0; c < components; ++c) field(c, to) = field(c, from);
-      return;
-    }
-    double value[AffineRule::most];
-    for (int c = 0; c < components; ++c) value[c] = static_cast<double>(field(c, from));
-    rules.apply(ghosts.image[n], value);
-    for (int c = 0; c < components; ++c) field(c, to) = static_cast<Real>(value[c]);
+    double value[Components];
+    unroll<Components>([&](auto c) { value[c] = static_cast<double>(field(c, from)); });
+    rules.apply(ghosts.image[n], value, Number<Components>{});
+    unroll<Components>([&](auto c) { field(c, to) = static_cast<Real>(value[c]); });
   }
 };
 
@@ -133,13 +141,22 @@ class GhostLoopsImpl final : public GhostLoops {
              "the ghosts of cells");
   }
   void refresh(const GhostView& ghosts, const RuleView& rules, FieldView<float> field, int components) const override {
-    for_each(space_, ghosts.count, RefreshGhosts<float>{field, components, ghosts, rules}, "values of ghosts");
+    refresh_field(ghosts, rules, field, components);
   }
   void refresh(const GhostView& ghosts, const RuleView& rules, FieldView<double> field, int components) const override {
-    for_each(space_, ghosts.count, RefreshGhosts<double>{field, components, ghosts, rules}, "values of ghosts");
+    refresh_field(ghosts, rules, field, components);
   }
 
  private:
+  template <class Real>
+  void refresh_field(const GhostView& ghosts, const RuleView& rules, FieldView<Real> field, int components) const {
+    constexpr const char* what = "values of ghosts";
+    if (!rules) return for_each(space_, ghosts.count, CopyToGhosts<Real>{field, components, ghosts}, what);
+    for_components(components, [&]<int N>() {
+      for_each(space_, ghosts.count, RefreshGhosts<Real, N>{field, ghosts, rules}, what);
+    });
+  }
+
   Space space_;
 };
 

@@ -3,10 +3,10 @@
 #include <array>
 #include <cstdint>
 
-#include "exec/array.hpp"
 #include "exec/backend.hpp"
 #include "ghosts/ghost_loops.hpp"
 #include "ghosts/images.hpp"
+#include "mesogen/exec/array.hpp"
 #include "mesogen/export.hpp"
 #include "neighbours/cell_grid.hpp"
 

@@ -37,7 +37,7 @@ Index count_ghosts(const Scene& scene, const Images& images, const double* const
 #pragma omp parallel for schedule(static) reduction(+ : number)
   for (Index i = 0; i < count; ++i)
     for (int image = 0; image < images.count; ++image) {
-      double offset[3];
+      double offset[3] = {};
       if (search.sees(image, i, offset)) ++number;
     }
   return number;

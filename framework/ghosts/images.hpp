@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "ghosts/views.hpp"
+#include "mesogen/exec/unroll.hpp"
 #include "mesogen/export.hpp"
 #include "mesogen/plugin/boundary.hpp"
 #include "mesogen/plugin/scene.hpp"
@@ -28,7 +29,8 @@ struct ImageSearch {
 
   /// Does the image of point i lie within reach of the box? Then `offset` (m) is its position minus that of the point.
   MESOGEN_HOST_DEVICE bool sees(int image, Index i, double (&offset)[3]) const {
-    for (int d = 0; d < dimension; ++d) {
+    bool seen = true;
+    exec::for_axes(dimension, [&](int d) {
       double at = position[d][i];
       double moved = images.shear[image][d];
       if (moved != 0.0) {
@@ -37,11 +39,10 @@ struct ImageSearch {
         at += moved;
       }
       const int boxes = images.boxes[image][d];
-      if (boxes > 0 && !(at < reach)) return false;
-      if (boxes < 0 && !(at >= box[d] - reach)) return false;
+      seen = seen && (boxes <= 0 || at < reach) && (boxes >= 0 || at >= box[d] - reach);
       offset[d] = moved + boxes * box[d];
-    }
-    return true;
+    });
+    return seen;
   }
 };
 

@@ -8,6 +8,7 @@
 #include "neighbours/outside.hpp"
 #include "particles/storage_loops.hpp"
 #include "plugin/way_to_mirror.hpp"
+#include "sph/pair_loops.hpp"
 
 namespace mesogen {
 
@@ -33,6 +34,8 @@ Neighbourhood::Neighbourhood(const Scene& scene, const Boundary& boundary, const
       cell_begin_(backend.memory()),
       cell_end_(backend.memory()),
       blocks_wanted_(backend.has_host_code()),
+      run_begin_(backend.memory()),
+      run_(backend.memory()),
       ghosts_(images_of(scene, boundary), backend),
       walls_(scene, boundary, grid_, ghosts_.images(), scene.support + skin_, backend.memory()),
       local_single_(exec::axis_arrays<float>(backend.memory())),
@@ -56,19 +59,19 @@ void Neighbourhood::place_mirrors() {
   }
 }
 
-const exec::Array<Index>* Neighbourhood::update(Particles& particles) {
-  if (update_without_sorting(particles)) return nullptr;
+const exec::Array<Index>* Neighbourhood::update(Particles& particles, double farthest) {
+  if (update_without_sorting(particles, farthest)) return nullptr;
   order(particles);
-  find_blocks();
+  find_neighbours();
   return &order_;
 }
 
-bool Neighbourhood::update_without_sorting(const Particles& particles) {
+bool Neighbourhood::update_without_sorting(const Particles& particles, double farthest) {
   ++version_;
-  if (cell_of_.empty() || !place(particles.position)) return false;
-  if (!blocks_found_) {
-    find_blocks();
-    (void)place(particles.position);
+  if (cell_of_.empty() || !place(particles.position, farthest)) return false;
+  if (!neighbours_found_) {
+    find_neighbours();
+    (void)place(particles.position, 0.0);
   }
   return true;
 }
@@ -83,7 +86,7 @@ void Neighbourhood::order(Particles& particles) {
   sort_particles(particles);
   find_cells();
   build_ghosts();
-  blocks_found_ = false;
+  neighbours_found_ = false;
 }
 
 void Neighbourhood::restore(const std::array<std::vector<double>, 3>& sorted_position) {
@@ -91,23 +94,37 @@ void Neighbourhood::restore(const std::array<std::vector<double>, 3>& sorted_pos
   for (int d = 0; d < scene_.dimension; ++d) sorted_position_[d].assign(sorted_position[d]);
   find_cells();
   build_ghosts();
-  blocks_found_ = false;
+  neighbours_found_ = false;
 }
 
-// Wherever particles are by now, their blocks are those of the last sorting. Leaves the particles placed there.
-void Neighbourhood::find_blocks() {
-  blocks_found_ = true;
-  (void)place(sorted_position_);
-  if (!blocks_wanted_ && walls_.count() == 0) return;
-  dispatch(scene_.precision, scene_.dimension, [&]<class Real, int Dim>() { find_blocks_of<Real, Dim>(); });
+// Wherever particles are by now, their neighbours are those of the last sorting. Leaves the particles placed there.
+void Neighbourhood::find_neighbours() {
+  neighbours_found_ = true;
+  (void)place(sorted_position_, 0.0);
+  dispatch(scene_.precision, scene_.dimension, [&]<class Real, int Dim>() {
+    if (!backend_.has_host_code()) find_runs<Real, Dim>();
+    if (blocks_wanted_ || walls_.count() > 0) find_blocks<Real, Dim>();
+  });
 }
 
 template <class Real, int Dim>
-void Neighbourhood::find_blocks_of() {
+void Neighbourhood::find_runs() {
+  Neighbours<Real, Dim> grid{};
+  fill(grid, device);
+  const exec::PairLoops<Real>& loops = backend_.pairs<Real>();
+  run_begin_.resize_for_overwrite(cell_of_.size() + 1);
+  loops.count_runs(grid, neighbour_range(), run_begin_.device(Access::write));
+  const Index runs = backend_.cells().running_sums(run_begin_.device(Access::read_write), grid.particle_count);
+  run_.resize_for_overwrite(static_cast<std::size_t>(runs));
+  grid.run_begin = run_begin_.device();
+  loops.list_runs(grid, neighbour_range(), run_.device(Access::write));
+}
+
+template <class Real, int Dim>
+void Neighbourhood::find_blocks() {
   Neighbours<Real, Dim> grid{};
   fill(grid, exec::Side::host);
-  // Two particles may each move by half the skin; a hundredth of it is for rounding.
-  if (blocks_wanted_) blocks_.find(grid, scene_.support + 1.01 * skin_);
+  if (blocks_wanted_) blocks_.find(grid, neighbour_range());
   // A mirror point sees the fluid alone, and does not move.
   grid.wall_begin = grid.wall_end = nullptr;
   if (walls_.count() > 0) mirror_blocks_.find_around(grid, mirror_local_, mirror_cell_, scene_.support + 0.51 * skin_);
@@ -221,9 +238,9 @@ void Neighbourhood::make_room() {
     dispatch(scene_.precision, [&]<class Real>() { resize(local<Real>()[d]); });
 }
 
-// Coordinates relative to tiles; false if a particle has left the skin.
+// Coordinates relative to tiles; false if a particle has left the skin, which is looked for where `looks`.
 template <class Real>
-bool Neighbourhood::place(const exec::AxisArrays<double>& position, exec::AxisArrays<Real>& local) const {
+bool Neighbourhood::place(const exec::AxisArrays<double>& position, bool looks, exec::AxisArrays<Real>& local) const {
   exec::PlaceArguments<Real> arguments{};
   for (int d = 0; d < scene_.dimension; ++d) {
     arguments.position[d] = position[d].device();
@@ -232,19 +249,24 @@ bool Neighbourhood::place(const exec::AxisArrays<double>& position, exec::AxisAr
   }
   arguments.cell_begin = cell_begin_.device();
   arguments.cell_end = cell_end_.device();
+  arguments.looks = looks;
   arguments.farthest_square = skin_ * skin_ / 4.0;
   arguments.walls = wall_view(device);
   arguments.ghosts = ghost_view(device);
   return backend_.cells().place(grid_, arguments);
 }
 
-bool Neighbourhood::place(const exec::AxisArrays<double>& position) {
-  return dispatch(scene_.precision, [&]<class Real>() { return place(position, local<Real>()); });
+bool Neighbourhood::place(const exec::AxisArrays<double>& position, double farthest) {
+  constexpr double rounded = 1.0 - 1e-6;  // of sums that led to `farthest`
+  const bool looks = !(farthest < rounded * skin_ / 2.0);
+  return dispatch(scene_.precision, [&]<class Real>() { return place(position, looks, local<Real>()); });
 }
 
 template <class Real, int Dim>
 void Neighbourhood::fill(Neighbours<Real, Dim>& grid, exec::Side side) const {
   const bool by_blocks = side == exec::Side::host || backend_.has_host_code();
+  grid.run_begin = by_blocks ? nullptr : run_begin_.on(side);
+  grid.run = by_blocks ? nullptr : run_.on(side);
   for (int d = 0; d < Dim; ++d) {
     if constexpr (sizeof(Real) == sizeof(float)) {
       grid.local[d] = local_single_[d].on(side);

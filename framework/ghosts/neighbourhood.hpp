@@ -2,12 +2,13 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
-#include "exec/array.hpp"
 #include "exec/backend.hpp"
 #include "ghosts/ghosts.hpp"
 #include "ghosts/wall_set.hpp"
+#include "mesogen/exec/array.hpp"
 #include "mesogen/export.hpp"
 #include "mesogen/plugin/boundary.hpp"
 #include "mesogen/plugin/scene.hpp"
@@ -30,12 +31,13 @@ class MESOGEN_EXPORT Neighbourhood {
 
   static constexpr double skin_in_spacings = 0.1;
 
-  /// Particles moved. Returns the new order of storage if they had to be sorted anew (place n takes what stood at
-  /// order[n]; particles themselves are already permuted), nullptr if not.
-  const exec::Array<Index>* update(Particles& particles);
+  /// Particles moved, none of them farther than `farthest` (m) from where it was sorted. Returns the new order of
+  /// storage if they had to be sorted anew (place n takes what stood at order[n]; particles themselves are already
+  /// permuted), nullptr if not.
+  const exec::Array<Index>* update(Particles& particles, double farthest = std::numeric_limits<double>::infinity());
 
-  /// Particles moved. Keeps the order of storage; false, and neighbours out of date, if they must be sorted anew.
-  bool update_without_sorting(const Particles& particles);
+  /// The same, but keeps the order of storage; false, and neighbours out of date, if they must be sorted anew.
+  bool update_without_sorting(const Particles& particles, double farthest);
 
   /// Sorts particles, and finds no neighbours: the next update() does. Returns the new order of storage.
   const exec::Array<Index>& reorder(Particles& particles);
@@ -68,11 +70,14 @@ class MESOGEN_EXPORT Neighbourhood {
   [[nodiscard]] const CellGrid& grid() const { return grid_; }
   /// How much farther than the support cells reach, m: between sortings a particle strays by at most half of it.
   [[nodiscard]] double skin() const { return skin_; }
+  /// How far around a particle neighbours are kept, m: two particles may each stray by half the skin. A hundredth of
+  /// the skin is for rounding.
+  [[nodiscard]] double neighbour_range() const { return scene_.support + 1.01 * skin_; }
   /// Raised whenever a particle has moved: what was computed from positions is out of date.
   [[nodiscard]] std::uint64_t version() const { return version_; }
   [[nodiscard]] std::int64_t sortings() const { return sortings_; }
 
-  /// For pair sums on this side. Blocks lie on the host: where code goes by cells, there are none.
+  /// For pair sums on this side: code of the host goes by blocks, which lie there; other code goes by runs.
   template <class Real, int Dim>
   void fill(Neighbours<Real, Dim>& grid, exec::Side side) const;
 
@@ -93,11 +98,13 @@ class MESOGEN_EXPORT Neighbourhood {
     }
   }
   template <class Real>
-  [[nodiscard]] bool place(const exec::AxisArrays<double>& position, exec::AxisArrays<Real>& local) const;
-  [[nodiscard]] bool place(const exec::AxisArrays<double>& position);
+  [[nodiscard]] bool place(const exec::AxisArrays<double>& position, bool looks, exec::AxisArrays<Real>& local) const;
+  [[nodiscard]] bool place(const exec::AxisArrays<double>& position, double farthest);
+  void find_neighbours();
+  template <class Real, int Dim>
   void find_blocks();
   template <class Real, int Dim>
-  void find_blocks_of();
+  void find_runs();
 
   const Scene& scene_;
   const Boundary& boundary_;
@@ -112,7 +119,9 @@ class MESOGEN_EXPORT Neighbourhood {
   exec::Array<Index> cell_end_;
   NeighbourBlocks blocks_;
   bool blocks_wanted_;
-  bool blocks_found_ = false;
+  exec::Array<Index> run_begin_;  // by particle, one more at the end
+  exec::Array<NeighbourRun> run_;
+  bool neighbours_found_ = false;
   Ghosts ghosts_;
   WallSet walls_;
   std::vector<CellGrid::Cell> mirror_cell_;          // of the mirror point of each wall particle

@@ -7,7 +7,7 @@ void ParticleOrder::settle() {
   if (!moved_) return;
   moved_ = false;
   const Span span(sorting_, clock_.trace);
-  const exec::Array<Index>* order = neighbourhood_.update(particles_);
+  const exec::Array<Index>* order = neighbourhood_.update(particles_, farthest_);
   if (order != nullptr) permute_fields(*order);
   clock_.end_of_work();
 }
@@ -15,9 +15,9 @@ void ParticleOrder::settle() {
 void ParticleOrder::settle_for_reader() {
   if (!moved_) return;
   const Span span(sorting_, clock_.trace);
-  if (!neighbourhood_.update_without_sorting(particles_)) {
+  if (!neighbourhood_.update_without_sorting(particles_, farthest_)) {
     if (!kept_ && neighbourhood_.sorted()) keep();
-    const exec::Array<Index>& order = *neighbourhood_.update(particles_);
+    const exec::Array<Index>& order = *neighbourhood_.update(particles_, farthest_);
     if (kept_) {
       const auto from = order.host();
       const auto way_back = kept_->way_back.host(exec::Access::write);
@@ -45,6 +45,7 @@ void ParticleOrder::return_to_integration() {
   neighbourhood_.restore(kept_->sorted_position);
   permute_fields(kept_->way_back);
   moved_ = true;
+  farthest_ = nobody_knows;
   kept_.reset();
   clock_.end_of_work();
 }
@@ -54,6 +55,7 @@ void ParticleOrder::sort_for_memory() {
   const Span span(sorting_, clock_.trace);
   permute_fields(neighbourhood_.reorder(particles_));
   moved_ = true;
+  farthest_ = nobody_knows;
   clock_.end_of_work();
 }
 

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -27,9 +28,11 @@ class MESOGEN_EXPORT ParticleOrder {
         clock_(clock),
         scratch_(clock.backend.memory()) {}
 
-  /// To be called whenever positions changed.
-  void mark_moved() {
+  /// To be called whenever positions changed. `farthest`: no particle is now farther than this from where it was
+  /// sorted, m.
+  void mark_moved(double farthest = nobody_knows) {
     moved_ = true;
+    farthest_ = farthest;
     ++version_;
   }
   /// Raised whenever particles have moved or changed places in storage.
@@ -73,7 +76,10 @@ class MESOGEN_EXPORT ParticleOrder {
   Neighbourhood& neighbourhood_;
   FieldStore& fields_;
   const WorkClock& clock_;
+  static constexpr double nobody_knows = std::numeric_limits<double>::infinity();
+
   bool moved_ = true;
+  double farthest_ = nobody_knows;
   std::uint64_t version_ = 1;
   std::optional<Kept> kept_;
   Field::Scratch scratch_;

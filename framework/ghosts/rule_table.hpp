@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "exec/array.hpp"
 #include "ghosts/views.hpp"
+#include "mesogen/exec/array.hpp"
 #include "mesogen/export.hpp"
 
 namespace mesogen {

@@ -3,8 +3,8 @@
 #include <array>
 #include <vector>
 
-#include "exec/array.hpp"
 #include "ghosts/views.hpp"
+#include "mesogen/exec/array.hpp"
 #include "mesogen/export.hpp"
 #include "mesogen/plugin/boundary.hpp"
 #include "mesogen/plugin/scene.hpp"

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <complex>
 #include <vector>
 
 namespace mesogen::mesh {
@@ -51,7 +50,7 @@ struct Fftw<float> {
 constexpr int together = 8;
 
 template <class Real>
-typename Fftw<Real>::Number* raw(std::complex<Real>* modes) {
+typename Fftw<Real>::Number* raw(ComplexNumber<Real>* modes) {
   return reinterpret_cast<typename Fftw<Real>::Number*>(modes);
 }
 
@@ -69,7 +68,7 @@ struct ColumnPlans {
 template <class Real>
 struct FourierTransform<Real>::Plans {
   using Fft = Fftw<Real>;
-  using Number = std::complex<Real>;
+  using Number = ComplexNumber<Real>;
 
   int points;  // in a row
   int rows;

@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 
+#include "mesogen/exec/unroll.hpp"
 #include "mesogen/export.hpp"
 #include "mesogen/plugin/boundary.hpp"
 #include "mesogen/plugin/scene.hpp"
@@ -31,20 +32,24 @@ class MESOGEN_EXPORT CellGrid {
   /// Number of the cell inside the box that holds a position in it.
   [[nodiscard]] MESOGEN_HOST_DEVICE int number_of(const double* position) const {
     int number = 0;
-    for (int d = dimension_ - 1; d >= 0; --d) {
-      const int at = along(d, position[d]);
-      const int last = cells_[d] - 1;
-      number = number * cells_[d] + (at < 0 ? 0 : at > last ? last : at);
-    }
+    int cells_before = 1;
+    exec::for_axes(
+        dimension_, [&](auto d) __attribute__((always_inline)) {
+          const int at = along(d, position[d]);
+          const int last = cells_[d] - 1;
+          number += (at < 0 ? 0 : at > last ? last : at) * cells_before;
+          cells_before *= cells_[d];
+        });
     return number;
   }
   /// Coordinates of the n-th cell inside the box.
   [[nodiscard]] MESOGEN_HOST_DEVICE Cell inside(int number) const {
     Cell cell{};
-    for (int d = 0; d < dimension_; ++d) {
-      cell[d] = number % cells_[d];
-      number /= cells_[d];
-    }
+    exec::for_axes(
+        dimension_, [&](auto d) __attribute__((always_inline)) {
+          cell[d] = number % cells_[d];
+          number /= cells_[d];
+        });
     return cell;
   }
   /// Cell along an axis of a position in an image that lies `boxes` boxes away, clamped to the padding: rounding must
@@ -60,7 +65,23 @@ class MESOGEN_EXPORT CellGrid {
   /// Index of a cell among all, the padding included.
   [[nodiscard]] MESOGEN_HOST_DEVICE int padded_index(const Cell& cell) const {
     int index = 0;
-    for (int d = dimension_ - 1; d >= 0; --d) index = index * (cells_[d] + 2 * padding_[d]) + cell[d] + padding_[d];
+    int cells_before = 1;
+    exec::for_axes(
+        dimension_, [&](auto d) __attribute__((always_inline)) {
+          index += (cell[d] + padding_[d]) * cells_before;
+          cells_before *= cells_[d] + 2 * padding_[d];
+        });
+    return index;
+  }
+  /// The same of the n-th cell inside the box.
+  [[nodiscard]] MESOGEN_HOST_DEVICE int padded_index_of(int number) const {
+    int index = 0;
+    int cells_before = 1;
+    exec::for_axes(dimension_, [&](auto d) {
+      index += (number % cells_[d] + padding_[d]) * cells_before;
+      number /= cells_[d];
+      cells_before *= cells_[d] + 2 * padding_[d];
+    });
     return index;
   }
   [[nodiscard]] MESOGEN_HOST_DEVICE int inside_count() const {
@@ -71,11 +92,12 @@ class MESOGEN_EXPORT CellGrid {
   /// The cell of such an index.
   [[nodiscard]] MESOGEN_HOST_DEVICE Cell padded(int index) const {
     Cell cell{};
-    for (int d = 0; d < dimension_; ++d) {
-      const int layers = cells_[d] + 2 * padding_[d];
-      cell[d] = index % layers - padding_[d];
-      index /= layers;
-    }
+    exec::for_axes(
+        dimension_, [&](auto d) __attribute__((always_inline)) {
+          const int layers = cells_[d] + 2 * padding_[d];
+          cell[d] = index % layers - padding_[d];
+          index /= layers;
+        });
     return cell;
   }
   [[nodiscard]] MESOGEN_HOST_DEVICE int padded_count() const {

@@ -21,7 +21,8 @@ struct PlaceArguments {
   Real* local[3];
   const Index* cell_begin;
   const Index* cell_end;
-  double farthest_square;  ///< by which a particle may have strayed, m2
+  bool looks;              ///< whether a particle has strayed
+  double farthest_square;  ///< by which it may have, m2
   WallView walls;
   GhostView ghosts;
 };
@@ -45,7 +46,7 @@ class CellLoops {
                              Index* found) const = 0;
   /// values[i] becomes the sum of all before it, values[count] the sum of all, which it returns. Waits for the answer.
   virtual Index running_sums(Index* values, Index count) const = 0;
-  /// False if a particle has strayed too far. Waits for the answer.
+  /// False if it looks, and a particle has strayed too far. Waits for the answer.
   virtual bool place(const CellGrid& grid, const PlaceArguments<float>& arguments) const = 0;
   virtual bool place(const CellGrid& grid, const PlaceArguments<double>& arguments) const = 0;
 };

@@ -14,7 +14,7 @@ struct FindCell {
 
   MESOGEN_HOST_DEVICE void operator()(Index i) const {
     double at[3] = {0.0, 0.0, 0.0};
-    for (int d = 0; d < grid.dimension(); ++d) at[d] = position[d][i];
+    for_axes(grid.dimension(), [&](int d) { at[d] = position[d][i]; });
     cell[i] = grid.number_of(at);
   }
 };
@@ -32,33 +32,40 @@ struct FindRanges {
     const int first = i == 0 ? 0 : cell[i - 1] + 1;
     const int last = i == count ? grid.inside_count() : cell[i];
     for (int c = first; c <= last; ++c) {
-      if (c > 0) end[grid.padded_index(grid.inside(c - 1))] = i;
-      if (c < grid.inside_count()) begin[grid.padded_index(grid.inside(c))] = i;
+      if (c > 0) end[grid.padded_index_of(c - 1)] = i;
+      if (c < grid.inside_count()) begin[grid.padded_index_of(c)] = i;
     }
   }
 };
 
-/// Places the particles of a cell; raises if one has strayed too far.
+/// Places the particles of a cell; where somebody looks, it raises if one has strayed too far.
 template <class Real>
 struct PlaceParticles {
   CellGrid grid;
   PlaceArguments<Real> p;
 
-  MESOGEN_HOST_DEVICE void operator()(Index c, Maxima<1>& strayed) const {
+  MESOGEN_HOST_DEVICE void operator()(Index c) const {
+    Maxima<1> nobody_looks{};
+    place<false>(c, nobody_looks);
+  }
+  MESOGEN_HOST_DEVICE void operator()(Index c, Maxima<1>& strayed) const { place<true>(c, strayed); }
+
+ private:
+  template <bool Looks>
+  MESOGEN_HOST_DEVICE void place(Index c, Maxima<1>& strayed) const {
     const CellGrid::Cell cell = grid.inside(c);
     const int index = grid.padded_index(cell);
-    double origin[3];
-    for (int d = 0; d < grid.dimension(); ++d) origin[d] = grid.tile_origin(d, cell[d]);
+    double origin[3] = {};
+    for_axes(grid.dimension(), [&](int d) { origin[d] = grid.tile_origin(d, cell[d]); });
     for (Index i = p.cell_begin[index]; i < p.cell_end[index]; ++i) {
       double moved = 0.0;
-      for (int d = 0; d < grid.dimension(); ++d) {
+      for_axes(grid.dimension(), [&](int d) {
         const double at = p.position[d][i];
-        const double by = at - p.sorted[d][i];
-        moved += by * by;
         p.local[d][i] = Real(at - origin[d]);
-      }
+        if constexpr (Looks) moved += (at - p.sorted[d][i]) * (at - p.sorted[d][i]);
+      });
       // Written so that NaN counts as having strayed; the guard after the step names it.
-      if (!(moved <= p.farthest_square)) strayed.raise(0, 1.0);
+      if (Looks && !(moved <= p.farthest_square)) strayed.raise(0, 1.0);
     }
   }
 };
@@ -110,10 +117,15 @@ class CellLoopsImpl : public CellLoops {
  private:
   template <class Real>
   bool place_particles(const CellGrid& grid, const PlaceArguments<Real>& arguments) const {
-    const Reduction strayed = find_largest<1>(space_, reductions_, grid.inside_count(),
-                                              PlaceParticles<Real>{grid, arguments}, "placing particles");
-    reductions_.wait(space_);
-    if (reductions_.found(strayed) > 0.0) return false;
+    constexpr const char* what = "placing particles";
+    const PlaceParticles<Real> place{grid, arguments};
+    if (arguments.looks) {
+      const Reduction strayed = find_largest<1>(space_, reductions_, grid.inside_count(), place, what);
+      reductions_.wait(space_);
+      if (reductions_.found(strayed) > 0.0) return false;
+    } else {
+      for_each(space_, grid.inside_count(), place, what);
+    }
     for_each(space_, arguments.walls.count, PlaceWalls<Real>{grid.dimension(), arguments}, "placing walls");
     for_each(space_, arguments.ghosts.count, PlaceGhosts<Real>{grid.dimension(), arguments}, "placing ghosts");
     return true;

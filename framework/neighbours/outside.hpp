@@ -1,5 +1,6 @@
 #pragma once
 
+#include "mesogen/exec/unroll.hpp"
 #include "mesogen/export.hpp"
 #include "mesogen/fields/field_view.hpp"
 
@@ -7,9 +8,9 @@ namespace mesogen::exec {
 
 /// Is a particle in [0, box) along every axis? What is not a number is not.
 MESOGEN_HOST_DEVICE inline bool is_inside(const double* const* position, const double* box, int dimension, Index i) {
-  for (int d = 0; d < dimension; ++d)
-    if (!(position[d][i] >= 0.0 && position[d][i] < box[d])) return false;
-  return true;
+  bool inside = true;
+  for_axes(dimension, [&](auto d) { inside = inside && position[d][i] >= 0.0 && position[d][i] < box[d]; });
+  return inside;
 }
 
 /// On the host: those that are not, in their order; returns how many they are.

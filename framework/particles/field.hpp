@@ -7,8 +7,8 @@
 #include <string>
 #include <utility>
 
-#include "exec/array.hpp"
 #include "exec/backend.hpp"
+#include "mesogen/exec/array.hpp"
 #include "mesogen/export.hpp"
 #include "mesogen/fields/field_kind.hpp"
 #include "mesogen/fields/field_reader.hpp"

@@ -18,10 +18,20 @@ struct AdvanceArguments {
   int components;
 };
 
+/// f = f + a number for each component, and what passes see of it.
+template <class Real>
+struct AddArguments {
+  FieldView<double> exact;
+  FieldView<Real> rounded;
+  double by[3];  ///< a scalar's or vector's
+  int components;
+};
+
 /// r = r + by * u + shift_by * s.
 template <class Real>
 struct MoveArguments {
   double* position[3];
+  const double* sorted[3];  ///< where particles were sorted; null where nobody asks how far they are from there
   FieldView<const double> velocity;
   double by;
   FieldView<const Real> shift;  ///< may be empty
@@ -33,6 +43,7 @@ struct MoveArguments {
 template <class Real>
 struct MoveByPassesArguments {
   double* position[3];
+  const double* sorted[3];  ///< as in MoveArguments
   FieldView<double> way;
   FieldView<const Real> velocity;
   FieldView<const Real> shift;  ///< may be empty
@@ -115,11 +126,21 @@ class FieldLoops {
   /// to = factor * from.
   virtual void scale(FieldView<const Real> from, Real factor, FieldView<Real> to, int components,
                      Index count) const = 0;
-  /// Finds the largest squared length of the value, and next of the rate; infinite where something is not a number.
-  virtual Reduction advance(const AdvanceArguments<Real>& arguments, Index count) const = 0;
-  /// Finds a number above 0 if a particle is nowhere.
-  virtual Reduction move(const MoveArguments<Real>& arguments, Index count) const = 0;
-  virtual Reduction move(const MoveByPassesArguments<Real>& arguments, Index count) const = 0;
+  virtual void advance(const AdvanceArguments<Real>& arguments, Index count) const = 0;
+  /// The same, and finds the largest squared length of the value, and next of the rate; infinite where something is not
+  /// a number.
+  virtual Reduction advance_and_look(const AdvanceArguments<Real>& arguments, Index count) const = 0;
+  virtual void move(const MoveArguments<Real>& arguments, Index count) const = 0;
+  virtual void move(const MoveByPassesArguments<Real>& arguments, Index count) const = 0;
+  /// The same, and finds the square of how far a particle is from where it was sorted (0 where that is not given);
+  /// infinite if a particle is nowhere.
+  virtual Reduction move_and_look(const MoveArguments<Real>& arguments, Index count) const = 0;
+  virtual Reduction move_and_look(const MoveByPassesArguments<Real>& arguments, Index count) const = 0;
+  /// Adds up numbers in so many parts, each in a fixed order: for a device, where nobody adds up exactly.
+  static constexpr Index parts = 16384;
+  virtual void partial_sums(const double* values, Index count, double* sums) const = 0;
+  /// exact += by, and what passes see of it.
+  virtual void add(const AddArguments<Real>& arguments, Index count) const = 0;
   /// Finds the largest squared length of a vector; infinite where something is not a number.
   virtual Reduction largest_square(FieldView<const Real> field, int components, Index count) const = 0;
   /// The same of (u - 2 / dt way): what a step changed.

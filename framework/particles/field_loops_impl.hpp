@@ -1,85 +1,14 @@
 #pragma once
 
-#include <stdexcept>
-
 #include "exec/program_evaluation.hpp"
 #include "exec/reductions.hpp"
+#include "particles/components.hpp"
 #include "particles/field_loops.hpp"
 #include "particles/linear_loops.hpp"
+#include "particles/motion_loops.hpp"
 
 /// The loops over fields, compiled by g++ for the host, for each instruction set, and by nvcc for CUDA.
 namespace mesogen::exec {
-
-/// Calls action<n>(), compiled for each of the numbers that n may be: a loop with a number of components that the
-/// compiler knows handles several particles at a time. Throws std::logic_error if n is none of them.
-template <int First, int... Others, class Action>
-auto compiled_for(int n, const Action& action) {
-  if (n == First) return action.template operator()<First>();
-  if constexpr (sizeof...(Others) > 0) return compiled_for<Others...>(n, action);
-  throw std::logic_error("a number of components or dimensions that no field has");
-}
-template <class Action>
-auto for_components(int n, const Action& action) {
-  return compiled_for<1, 2, 3, 4, 5, 9>(n, action);
-}
-
-/// Raises two: the squares of the value and of the rate.
-template <class Real, int Components>
-struct AdvanceField {
-  AdvanceArguments<Real> a;
-
-  MESOGEN_HOST_DEVICE void operator()(Index i, Maxima<2>& largest) const {
-    double value_square = 0.0;
-    double rate_square = 0.0;
-    for (int c = 0; c < Components; ++c) {
-      const auto slope = static_cast<double>(a.rate(c, i));
-      const double value = a.from(c, i) + a.by * slope;
-      a.exact(c, i) = value;
-      a.rounded(c, i) = static_cast<Real>(value);
-      value_square += value * value;
-      rate_square += slope * slope;
-    }
-    largest.raise(0, value_square);
-    largest.raise(1, rate_square);
-  }
-};
-
-/// Raises if the particle is nowhere.
-template <class Real, int Dim>
-struct Move {
-  MoveArguments<Real> m;
-
-  MESOGEN_HOST_DEVICE void operator()(Index i, Maxima<1>& nowhere) const {
-    for (int d = 0; d < Dim; ++d) {
-      const double at = m.position[d][i] + m.by * m.velocity(d, i) +
-                        (m.shift ? m.shift_by * static_cast<double>(m.shift(d, i)) : 0.0);
-      m.position[d][i] = at;
-      nowhere.raise(0, at - at);  // 0, or not a number
-    }
-  }
-};
-
-template <class Real, int Dim, bool ToMidpoint>
-struct MoveByPasses {
-  MoveByPassesArguments<Real> m;
-
-  MESOGEN_HOST_DEVICE void operator()(Index i, Maxima<1>& nowhere) const {
-    for (int d = 0; d < Dim; ++d) {
-      double by = 0.0;
-      if constexpr (ToMidpoint) {
-        by = m.step_size / 2.0 * static_cast<double>(m.velocity(d, i));
-        m.way(d, i) = by;
-      } else {
-        const double speed =
-            static_cast<double>(m.velocity(d, i)) + (m.shift ? static_cast<double>(m.shift(d, i)) : 0.0);
-        by = m.step_size * speed - m.way(d, i);
-      }
-      const double at = m.position[d][i] + by;
-      m.position[d][i] = at;
-      nowhere.raise(0, at - at);  // 0, or not a number
-    }
-  }
-};
 
 template <class Real, int Components>
 struct SquaredLength {
@@ -207,23 +136,35 @@ class FieldLoopsImpl final : public FieldLoops<Real> {
       for_each(space_, count, ScaleField<Real, N>{from, factor, to}, "scaling a field");
     });
   }
-  Reduction advance(const AdvanceArguments<Real>& arguments, Index count) const override {
+  void advance(const AdvanceArguments<Real>& arguments, Index count) const override {
+    for_components(arguments.components,
+                   [&]<int N>() { for_each(space_, count, AdvanceField<Real, N>{arguments}, "advancing a field"); });
+  }
+  Reduction advance_and_look(const AdvanceArguments<Real>& arguments, Index count) const override {
     return for_components(arguments.components, [&]<int N>() {
       return find_largest<2>(space_, reductions_, count, AdvanceField<Real, N>{arguments}, "advancing a field");
     });
   }
-  Reduction move(const MoveArguments<Real>& arguments, Index count) const override {
-    return compiled_for<1, 2, 3>(arguments.dimension, [&]<int Dim>() {
-      return find_largest<1>(space_, reductions_, count, Move<Real, Dim>{arguments}, "moving particles");
-    });
+  void move(const MoveArguments<Real>& arguments, Index count) const override {
+    with_move(arguments, [&](const auto& move) { for_each(space_, count, move, moving); });
   }
-  Reduction move(const MoveByPassesArguments<Real>& arguments, Index count) const override {
-    return compiled_for<2, 3>(arguments.dimension, [&]<int Dim>() {
-      if (arguments.to_midpoint)
-        return find_largest<1>(space_, reductions_, count, MoveByPasses<Real, Dim, true>{arguments},
-                               "moving particles");
-      return find_largest<1>(space_, reductions_, count, MoveByPasses<Real, Dim, false>{arguments}, "moving particles");
-    });
+  void move(const MoveByPassesArguments<Real>& arguments, Index count) const override {
+    with_move(arguments, [&](const auto& move) { for_each(space_, count, move, moving); });
+  }
+  Reduction move_and_look(const MoveArguments<Real>& arguments, Index count) const override {
+    return with_move(arguments,
+                     [&](const auto& move) { return find_largest<1>(space_, reductions_, count, move, moving); });
+  }
+  Reduction move_and_look(const MoveByPassesArguments<Real>& arguments, Index count) const override {
+    return with_move(arguments,
+                     [&](const auto& move) { return find_largest<1>(space_, reductions_, count, move, moving); });
+  }
+  void partial_sums(const double* values, Index count, double* sums) const override {
+    for_each(space_, this->parts, PartialSum{values, count, this->parts, sums}, "adding up a field");
+  }
+  void add(const AddArguments<Real>& arguments, Index count) const override {
+    compiled_for<1, 2, 3>(arguments.components,
+                          [&]<int N>() { for_each(space_, count, Add<Real, N>{arguments}, "adding to a field"); });
   }
   Reduction largest_square(FieldView<const Real> field, int components, Index count) const override {
     return for_components(components, [&]<int N>() {
@@ -249,6 +190,20 @@ class FieldLoopsImpl final : public FieldLoops<Real> {
   }
 
  private:
+  static constexpr const char* moving = "moving particles";
+
+  template <class Action>
+  static auto with_move(const MoveArguments<Real>& arguments, const Action& action) {
+    return compiled_for<1, 2, 3>(arguments.dimension, [&]<int Dim>() { return action(Move<Real, Dim>{arguments}); });
+  }
+  template <class Action>
+  static auto with_move(const MoveByPassesArguments<Real>& arguments, const Action& action) {
+    return compiled_for<2, 3>(arguments.dimension, [&]<int Dim>() {
+      return arguments.to_midpoint ? action(MoveByPasses<Real, Dim, true>{arguments})
+                                   : action(MoveByPasses<Real, Dim, false>{arguments});
+    });
+  }
+
   Space space_;
   Reductions& reductions_;
 };

@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "exec/array.hpp"
+#include "mesogen/exec/array.hpp"
 #include "mesogen/fields/field_view.hpp"
 
 namespace mesogen {

@@ -7,6 +7,13 @@
 
 namespace mesogen::exec {
 
+/// Coordinates along the paths of particles, without jumps at the faces of the box.
+struct UnwrappedAlong {
+  const double* position;      ///< m
+  const std::int32_t* images;  ///< how many boxes away
+  double length;               ///< of the box, m
+};
+
 /// Values of particles that change places in storage.
 class StorageLoops {
  public:
@@ -20,6 +27,8 @@ class StorageLoops {
   virtual void permute(double* values, const Index* order, Index count, double* scratch) const = 0;
   virtual void permute(std::int32_t* values, const Index* order, Index count, std::int32_t* scratch) const = 0;
   virtual void permute(std::int64_t* values, const Index* order, Index count, std::int64_t* scratch) const = 0;
+  /// Writes the coordinates of the particles at these places.
+  virtual void gather_unwrapped(const UnwrappedAlong& along, const Index* places, Index count, double* to) const = 0;
   virtual void copy(const double* from, double* to, Index count) const = 0;
 };
 

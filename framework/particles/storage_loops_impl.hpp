@@ -22,6 +22,16 @@ struct Copy {
   MESOGEN_HOST_DEVICE void operator()(Index n) const { to[n] = from[n]; }
 };
 
+struct GatherUnwrapped {
+  UnwrappedAlong along;
+  const Index* places;
+  double* to;
+  MESOGEN_HOST_DEVICE void operator()(Index n) const {
+    const Index i = places[n];
+    to[n] = along.position[i] + along.images[i] * along.length;
+  }
+};
+
 class StorageLoopsImpl final : public StorageLoops {
  public:
   explicit StorageLoopsImpl(const Space& space) : space_(space) {}
@@ -37,6 +47,9 @@ class StorageLoopsImpl final : public StorageLoops {
   }
   void permute(std::int64_t* values, const Index* order, Index count, std::int64_t* scratch) const override {
     permuted(values, order, count, scratch);
+  }
+  void gather_unwrapped(const UnwrappedAlong& along, const Index* places, Index count, double* to) const override {
+    for_each(space_, count, GatherUnwrapped{along, places, to}, "paths of particles");
   }
   void copy(const double* from, double* to, Index count) const override {
     for_each(space_, count, Copy<double>{from, to}, "copying positions");

@@ -4,4 +4,6 @@ namespace mesogen {
 
 PassContext::~PassContext() = default;
 
+const mesh::DeviceMesh* PassContext::device_mesh() const { return nullptr; }
+
 }  // namespace mesogen

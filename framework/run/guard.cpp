@@ -108,19 +108,21 @@ Guard::Guard(State& state, const Catalogue& catalogue, const StepGraph& graph, c
   if (integrator.moves() && !graph.derived_for_integration().empty()) volume_ = &state.fields.at("volume");
 }
 
+void Guard::look() {
+  outside_.clear();
+  for (const auto& [field, bounds, prescribed] : fields_)
+    outside_.push_back(look_outside(state_, *field, bounds.lowest, bounds.highest));
+  if (volume_ != nullptr)
+    outside_.push_back(
+        look_outside(state_, *volume_, smallest_volume * lattice_volume_, largest_volume * lattice_volume_));
+}
+
 void Guard::check(const Motion& motion) const {
   if (!motion.finite) check_prescribed();
   check_finite(motion);
   check_speed(motion);
   check_step(motion);
-  std::vector<exec::Reduction> outside;
-  for (const auto& [field, bounds, prescribed] : fields_)
-    outside.push_back(look_outside(state_, *field, bounds.lowest, bounds.highest));
-  if (volume_ != nullptr)
-    outside.push_back(
-        look_outside(state_, *volume_, smallest_volume * lattice_volume_, largest_volume * lattice_volume_));
-  state_.backend.wait();
-  const auto is_outside = [&](std::size_t n) { return state_.backend.found(outside[n]) > 0.0; };
+  const auto is_outside = [&](std::size_t n) { return state_.backend.found(outside_[n]) > 0.0; };
   for (std::size_t n = 0; n < fields_.size(); ++n)
     if (is_outside(n)) stop_at_field(fields_[n]);
   if (volume_ != nullptr && is_outside(fields_.size())) stop_at_volume();

@@ -24,7 +24,9 @@ class MESOGEN_EXPORT Guard {
   Guard(State& state, const Catalogue& catalogue, const StepGraph& graph, const Integrator& integrator,
         const StepControl& control);
 
-  /// After a step. Throws Error(run_failed).
+  /// At the end of a step, before the backend waits for what it finds: looks for values out of their bounds.
+  void look();
+  /// After that. Throws Error(run_failed).
   void check(const Motion& motion) const;
   /// Of it, whether what is advanced is finite.
   void check_finite(const Motion& motion) const;
@@ -52,9 +54,10 @@ class MESOGEN_EXPORT Guard {
   const Integrator& integrator_;
   const StepControl& control_;
   std::vector<Guarded> fields_;
-  bool looks_for_pairs_ = false;  ///< particles move, and pairs are summed over
-  Field* volume_ = nullptr;       ///< null if it is not made anew at each step
-  double lattice_volume_;         ///< of a particle on the lattice as `volume` measures it, m^Dim
+  bool looks_for_pairs_ = false;          ///< particles move, and pairs are summed over
+  Field* volume_ = nullptr;               ///< null if it is not made anew at each step
+  std::vector<exec::Reduction> outside_;  ///< of each of the fields, and of the volume: is something outside?
+  double lattice_volume_;                 ///< of a particle on the lattice as `volume` measures it, m^Dim
 };
 
 }  // namespace mesogen

@@ -5,7 +5,7 @@
 
 #include "mesogen/exec/dispatch.hpp"
 #include "mesogen/exec/exact_sum.hpp"
-#include "mesogen/exec/for_each.hpp"
+#include "particles/field_loops.hpp"
 
 namespace mesogen {
 
@@ -34,7 +34,7 @@ bool conserves_momentum(const Setup& setup) {
   return std::ranges::all_of(setup.graph->passes(), conserves);
 }
 
-KeptMomentum::KeptMomentum(const Setup& setup, State& state) : state_(state) {
+KeptMomentum::KeptMomentum(const Setup& setup, State& state) : state_(state), parts_(state.backend.memory()) {
   if (conserves_momentum(setup)) velocity_ = &state.fields.at(setup.graph->transport().velocity);
 }
 
@@ -62,29 +62,43 @@ void KeptMomentum::restore(const Checkpoint& checkpoint) {
   kept_ = at == checkpoint.numbers.end() ? mean() : at->second;
 }
 
-std::vector<double> KeptMomentum::mean() const {
-  const FieldReader value = velocity_->reader();
+std::vector<double> KeptMomentum::mean() {
   const Index count = state_.particles.count();
   std::vector<double> all;
-  for (int c = 0; c < velocity_->components(); ++c) {
-    const auto [sum] = exec::exact_sums<1>(count, [&](Index i, double(&term)[1]) { term[0] = value(c, i); });
-    all.push_back(sum / count);
-  }
+  for (int c = 0; c < velocity_->components(); ++c)
+    all.push_back((state_.backend.has_host_code() ? exact_sum(c) : sum_of_parts(c)) / count);
   return all;
+}
+
+double KeptMomentum::exact_sum(int component) const {
+  const FieldReader value = velocity_->reader();
+  const auto [sum] =
+      exec::exact_sums<1>(state_.particles.count(), [&](Index i, double(&term)[1]) { term[0] = value(component, i); });
+  return sum;
+}
+
+// On a device, so that the field need not come to the host.
+double KeptMomentum::sum_of_parts(int component) {
+  const auto& loops = state_.backend.fields<double>();
+  parts_.resize_for_overwrite(static_cast<std::size_t>(loops.parts));
+  const FieldView<const double> value = std::as_const(*velocity_).master(exec::Side::device);
+  loops.partial_sums(value.base + component * value.stride, state_.particles.count(),
+                     parts_.device(exec::Access::write));
+  exec::ExactSum sum;
+  sum.add(parts_.host());
+  return sum.value();
 }
 
 template <class Real>
 void KeptMomentum::add(const std::vector<double>& change) {
-  constexpr auto host = exec::Side::host;
+  constexpr auto device = exec::Side::device;
   constexpr auto read_write = exec::Access::read_write;
-  const auto exact = velocity_->master(host, read_write);
-  const auto rounded = velocity_->view<Real>(host, read_write);
-  for (std::size_t n = 0; n < change.size(); ++n)
-    exec::for_each(exec::Space{}, state_.particles.count(), [=, c = static_cast<int>(n), by = change[n]](Index i) {
-      const double value = exact(c, i) + by;
-      exact(c, i) = value;
-      rounded(c, i) = static_cast<Real>(value);
-    });
+  exec::AddArguments<Real> all{};
+  all.exact = velocity_->master(device, read_write);
+  all.rounded = velocity_->view<Real>(device, read_write);
+  all.components = velocity_->components();
+  std::ranges::copy(change, all.by);
+  state_.backend.fields<Real>().add(all, state_.particles.count());
 }
 
 }  // namespace mesogen

@@ -31,13 +31,16 @@ class KeptMomentum {
   void restore(const Checkpoint& checkpoint);
 
  private:
-  [[nodiscard]] std::vector<double> mean() const;
+  [[nodiscard]] std::vector<double> mean();
+  [[nodiscard]] double exact_sum(int component) const;
+  [[nodiscard]] double sum_of_parts(int component);
   template <class Real>
   void add(const std::vector<double>& change);
 
   State& state_;
   Field* velocity_ = nullptr;  // null if its momentum is not kept
   std::vector<double> kept_;   // mean velocity, m/s
+  exec::Array<double> parts_;  // of a sum on a device
 };
 
 }  // namespace mesogen

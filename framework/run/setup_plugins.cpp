@@ -149,10 +149,11 @@ void make_observer(SetupContext& context, const PluginChoice& choice, const Obse
 }
 
 std::string instruction_sets(const Setup& setup, const PluginRegistry& registry) {
-  std::string all = "derivatives " + (setup.backend->on_host() ? sph::instruction_set() : std::string("cuda"));
+  const std::string on_device = "cuda " + setup.backend->architecture();
+  std::string all = "derivatives " + (setup.backend->on_host() ? sph::instruction_set() : on_device);
   for (const auto& member : setup.physics)
     if (const LoadedPlugin* const plugin = registry.find(PluginKind::physics, member.type))
-      all += ", " + member.type + " " + (member.on_device ? "cuda" : plugin->instruction_set);
+      all += ", " + member.type + " " + (member.on_device ? on_device : plugin->instruction_set);
   return all;
 }
 

@@ -2,10 +2,12 @@
 
 #include <limits>
 #include <string>
+#include <utility>
 
 #include "mesogen/diagnostics/error.hpp"
 #include "mesogen/exec/for_each.hpp"
 #include "neighbours/outside.hpp"
+#include "particles/storage_loops.hpp"
 
 namespace mesogen {
 
@@ -58,9 +60,17 @@ std::vector<double> StateView::unwrapped(int axis) const {
   return all;
 }
 
-double StateView::unwrapped_at(int axis, std::size_t place) const {
-  return state_.particles.position[axis].host()[place] +
-         state_.particles.images[axis].host()[place] * state_.scene.box[axis];
+std::vector<double> StateView::unwrapped_at(int axis, std::span<const Index> places) const {
+  constexpr auto device = exec::Side::device;
+  State::Chosen& chosen = state_.chosen;
+  chosen.place.assign(places);
+  chosen.value.resize_for_overwrite(places.size());
+  state_.backend.storage().gather_unwrapped(
+      {state_.particles.position[axis].on(device), state_.particles.images[axis].on(device), state_.scene.box[axis]},
+      std::as_const(chosen.place).on(device), static_cast<Index>(places.size()),
+      chosen.value.device(exec::Access::write));
+  const auto values = std::as_const(chosen.value).host();
+  return {values.begin(), values.end()};
 }
 
 double StateView::constant(std::string_view name) const {

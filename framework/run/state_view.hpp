@@ -21,7 +21,7 @@ class MESOGEN_EXPORT StateView : public ObserverContext {
   [[nodiscard]] bool has(std::string_view field) const override { return state_.fields.find(field) != nullptr; }
   [[nodiscard]] std::vector<double> position(int axis) const override;
   [[nodiscard]] std::vector<double> unwrapped(int axis) const override;
-  [[nodiscard]] double unwrapped_at(int axis, std::size_t place) const override;
+  [[nodiscard]] std::vector<double> unwrapped_at(int axis, std::span<const Index> places) const override;
   [[nodiscard]] std::span<const std::int64_t> id() const override { return state_.particles.id.host(); }
   [[nodiscard]] const Scene& scene() const override { return state_.scene; }
   [[nodiscard]] const sph::SmoothingKernel& kernel() const override { return state_.kernel; }

@@ -90,7 +90,7 @@ void Stepper::advance(const Step& step, const std::vector<bool>& reader_due) {
   };
   state_->order.return_to_integration();
   state_->step_size = step_size;
-  timed(integration_, [&] { integrator_.predict(step_size); });
+  timed(integration_, [&] { integrator_.predict(step_size, motion_); });
   keep_order();
   state_->time = begun + step_size / 2.0;
   executor_.run(Phase::begin, reader_due);
@@ -99,7 +99,13 @@ void Stepper::advance(const Step& step, const std::vector<bool>& reader_due) {
     advance_velocity = [&] { timed(integration_, [&] { integrator_.advance_velocity(step_size); }); };
   executor_.run(Phase::rates, reader_due, advance_velocity);
   state_->order.return_to_integration();
-  timed(integration_, [&] { motion_ = integrator_.correct(step_size); });
+  // All that is looked for at the end of a step comes with one wait.
+  timed(integration_, [&] { integrator_.correct(step_size); });
+  timed(guarding_, [&] { guard_.look(); });
+  timed(integration_, [&] {
+    state_->backend.wait();
+    motion_ = integrator_.motion();
+  });
   state_->time = step.arrival;
   ++state_->step;
   timed(guarding_, [&] { guard_.check(motion_); });
@@ -144,6 +150,7 @@ void Stepper::restore(const Checkpoint& checkpoint) {
   momentum_.restore(checkpoint);
   whole_.runs = state_->step;
   ask_limits();
+  motion_ = {};
   motion_.fastest = integrator_.fastest();
   motion_.largest_acceleration = stored(checkpoint.numbers, acceleration_name, 1, "numbers").front();
 }

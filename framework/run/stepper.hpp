@@ -46,8 +46,8 @@ class MESOGEN_EXPORT Stepper {
   [[nodiscard]] const std::vector<std::string>& changes() const { return changes_; }
   /// Where the last step ended.
   [[nodiscard]] Arrival arrival() const { return {state_->time, state_->step_size}; }
-  /// Largest speed after the last step, m/s.
-  [[nodiscard]] double fastest() const { return motion_.fastest; }
+  /// What the last step found.
+  [[nodiscard]] const Motion& motion() const { return motion_; }
   [[nodiscard]] const StepControl& control() const { return control_; }
   [[nodiscard]] const Setup& setup() const { return setup_; }
 

@@ -28,6 +28,9 @@ class ScheduledContext final : public PassContext {
   [[nodiscard]] exec::Space space() const override {
     return scheduled_.on_device ? state_.backend.space() : exec::Space{};
   }
+  [[nodiscard]] const mesh::DeviceMesh* device_mesh() const override {
+    return scheduled_.on_device ? state_.backend.mesh() : nullptr;
+  }
   [[nodiscard]] Index count() const override { return state_.particles.count(); }
   [[nodiscard]] const double* position(int axis) const override { return state_.particles.position[axis].on(side_); }
   [[nodiscard]] std::uint64_t positions_version() const override { return state_.order.version(); }

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "exec/array.hpp"
+#include "mesogen/exec/array.hpp"
 #include "mesogen/export.hpp"
 #include "prescribed/prescribed.hpp"
 #include "schedule/state.hpp"

@@ -12,7 +12,8 @@ State::State(Scene scene_of_run, sph::SmoothingKernel kernel_of_run, const Bound
       particles(std::move(all)),
       neighbourhood(scene, boundary, backend),
       order(particles, neighbourhood, fields, clock),
-      boundary_values(scene, boundary, neighbourhood, kernel, clock) {}
+      boundary_values(scene, boundary, neighbourhood, kernel, clock),
+      chosen(backend.memory()) {}
 
 Field& State::add_field(const std::string& name, int components, bool integrated) {
   Field& field = fields.add(std::make_unique<Field>(name, components, scene.precision, integrated, backend));

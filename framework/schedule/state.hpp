@@ -41,6 +41,14 @@ struct MESOGEN_EXPORT State {
   double step_size = 0.0;          ///< s; 0 when rates are evaluated without a step
   std::int64_t step = 0;           ///< steps done
 
+  /// Room for those who read values of a few particles at every step.
+  struct Chosen {
+    explicit Chosen(exec::DeviceMemory* memory) : place(memory), value(memory) {}
+    exec::Array<Index> place;
+    exec::Array<double> value;
+  };
+  mutable Chosen chosen;
+
   [[nodiscard]] bool single() const { return scene.precision == Precision::single_precision; }
 
   Field& add_field(const std::string& name, int components, bool integrated);

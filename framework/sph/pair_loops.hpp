@@ -15,6 +15,10 @@ class PairLoopsIn {
   PairLoopsIn& operator=(const PairLoopsIn&) = delete;
   virtual ~PairLoopsIn() = default;
 
+  /// How many runs the neighbours within `range` (m) of each particle make. For backends without code of the host.
+  virtual void count_runs(const Neighbours<Real, Dim>& neighbours, double range, Index* number) const = 0;
+  /// Writes these runs to `run`, those of a particle from neighbours.run_begin on.
+  virtual void list_runs(const Neighbours<Real, Dim>& neighbours, double range, NeighbourRun* run) const = 0;
   virtual void volumes(const Neighbours<Real, Dim>& neighbours, const sph::SmoothingKernel& kernel,
                        FieldView<Real> volume) const = 0;
   virtual void derivatives(const Neighbours<Real, Dim>& neighbours, const sph::SmoothingKernel& kernel,
@@ -27,6 +31,8 @@ class PairLoopsAmong;
 template <class Real, int... Dims>
 class PairLoopsAmong<Real, Dimensions<Dims...>> : public PairLoopsIn<Real, Dims>... {
  public:
+  using PairLoopsIn<Real, Dims>::count_runs...;
+  using PairLoopsIn<Real, Dims>::list_runs...;
   using PairLoopsIn<Real, Dims>::volumes...;
   using PairLoopsIn<Real, Dims>::derivatives...;
 };

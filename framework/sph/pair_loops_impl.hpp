@@ -2,6 +2,7 @@
 
 #include "mesogen/exec/for_each.hpp"
 #include "sph/pair_loops.hpp"
+#include "sph/passes/neighbour_runs.hpp"
 
 /// The framework's sums over neighbours, compiled twice: by g++ for the host, by nvcc for CUDA.
 namespace mesogen::exec {
@@ -24,6 +25,15 @@ class PairLoopsMade<Real, Dimensions<Dim, Others...>> : public PairLoopsMade<Rea
  public:
   using PairLoopsMade<Real, Dimensions<Others...>>::PairLoopsMade;
 
+  void count_runs(const Neighbours<Real, Dim>& neighbours, double range, Index* number) const override {
+    exec::for_each(this->space_, neighbours.particle_count,
+                   sph::FindRuns<Real, Dim, false>{neighbours, Real(range * range), number, nullptr},
+                   "counting neighbours");
+  }
+  void list_runs(const Neighbours<Real, Dim>& neighbours, double range, NeighbourRun* run) const override {
+    exec::for_each(this->space_, neighbours.particle_count,
+                   sph::FindRuns<Real, Dim, true>{neighbours, Real(range * range), nullptr, run}, "listing neighbours");
+  }
   void volumes(const Neighbours<Real, Dim>& neighbours, const sph::SmoothingKernel& kernel,
                FieldView<Real> volume) const override {
     sph::volumes<Real, Dim>(this->space_, neighbours, kernel, volume);

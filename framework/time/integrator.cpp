@@ -55,35 +55,80 @@ Integrator::Integrator(State& state, const Catalogue& catalogue, const Transport
 }
 
 template <class Real>
-exec::Reduction Integrator::advance(const Advanced& one, Field& from, double by) {
-  const exec::Reduction largest = state_.backend.fields<Real>().advance(
-      {std::as_const(from).master(device), std::as_const(*one.rate).view<Real>(device), by,
-       one.field->master(device, read_write), one.field->view<Real>(device, read_write), one.field->components()},
-      state_.particles.count());
-  ++one.field->version;
-  return largest;
+exec::AdvanceArguments<Real> Integrator::advancing(const Advanced& one, Field& from, double by) const {
+  return {std::as_const(from).master(device),    std::as_const(*one.rate).view<Real>(device), by,
+          one.field->master(device, read_write), one.field->view<Real>(device, read_write),   one.field->components()};
 }
 
-exec::Reduction Integrator::advance(const Advanced& one, Field& from, double by) {
-  return dispatch(state_.scene.precision, [&]<class Real>() { return advance<Real>(one, from, by); });
+void Integrator::advance(const Advanced& one, Field& from, double by) {
+  dispatch(state_.scene.precision, [&]<class Real>() {
+    state_.backend.fields<Real>().advance(advancing<Real>(one, from, by), state_.particles.count());
+  });
+  ++one.field->version;
+}
+
+void Integrator::advance_to_end(Advanced& one, double by) {
+  Field& from = one.start != nullptr ? *one.start : *one.field;
+  one.found = dispatch(state_.scene.precision, [&]<class Real>() {
+    return state_.backend.fields<Real>().advance_and_look(advancing<Real>(one, from, by), state_.particles.count());
+  });
+  ++one.field->version;
+}
+
+template <class Arguments>
+void Integrator::set_position(Arguments& arguments) const {
+  arguments.dimension = state_.scene.dimension;
+  for (int d = 0; d < state_.scene.dimension; ++d) {
+    arguments.position[d] = state_.particles.position[d].device(read_write);
+    if (state_.neighbourhood.sorted()) arguments.sorted[d] = state_.neighbourhood.sorted_position()[d].device();
+  }
 }
 
 template <class Real>
-exec::Reduction Integrator::move(double by, double shift_by) {
-  exec::MoveArguments<Real> moving{};
-  for (int d = 0; d < state_.scene.dimension; ++d) moving.position[d] = state_.particles.position[d].device(read_write);
-  moving.velocity = std::as_const(*velocity_).master(device);
-  moving.by = by;
-  if (shift_ != nullptr && shift_by != 0.0) moving.shift = std::as_const(*shift_).view<Real>(device);
-  moving.shift_by = shift_by;
-  moving.dimension = state_.scene.dimension;
-  return state_.backend.fields<Real>().move(moving, state_.particles.count());
+exec::MoveArguments<Real> Integrator::moving(double by, double shift_by) const {
+  exec::MoveArguments<Real> all{};
+  set_position(all);
+  all.velocity = std::as_const(*velocity_).master(device);
+  all.by = by;
+  if (shift_ != nullptr && shift_by != 0.0) all.shift = std::as_const(*shift_).view<Real>(device);
+  all.shift_by = shift_by;
+  return all;
 }
 
-std::optional<exec::Reduction> Integrator::move(double by, double shift_by) {
-  if (velocity_ == nullptr || fixed_) return {};
+template <class Real>
+exec::MoveByPassesArguments<Real> Integrator::moving_by_passes(double step_size, bool to_midpoint) const {
+  exec::MoveByPassesArguments<Real> all{};
+  set_position(all);
+  all.way = way_to_midpoint_->master(device, read_write);
+  all.velocity = std::as_const(*velocity_).view<Real>(device);
+  if (shift_ != nullptr && !to_midpoint) all.shift = std::as_const(*shift_).view<Real>(device);
+  all.step_size = step_size;
+  all.to_midpoint = to_midpoint;
+  return all;
+}
+
+// From what the last step found follows how far particles can be from where they were sorted: mostly near enough for
+// neighbours to be those of that sorting, so that nobody has to look, and wait for the answer.
+void Integrator::move_to_midpoint(double step_size, const Motion& motion) {
+  if (!moves()) return;
+  dispatch(state_.scene.precision, [&]<class Real>() {
+    const auto& loops = state_.backend.fields<Real>();
+    way_to_midpoint_ != nullptr ? loops.move(moving_by_passes<Real>(step_size, true), state_.particles.count())
+                                : loops.move(moving<Real>(step_size / 2.0, 0.0), state_.particles.count());
+  });
+  const double fastest = motion.fastest + step_size / 2.0 * motion.largest_acceleration;
+  state_.order.mark_moved(motion.farthest + step_size / 2.0 * fastest);
+}
+
+void Integrator::move_to_end(double step_size) {
+  if (!moves()) return;
+  farthest_ = dispatch(state_.scene.precision, [&]<class Real>() {
+    const auto& loops = state_.backend.fields<Real>();
+    return way_to_midpoint_ != nullptr
+               ? loops.move_and_look(moving_by_passes<Real>(step_size, false), state_.particles.count())
+               : loops.move_and_look(moving<Real>(step_size / 2.0, step_size), state_.particles.count());
+  });
   state_.order.mark_moved();
-  return dispatch(state_.scene.precision, [&]<class Real>() { return move<Real>(by, shift_by); });
 }
 
 void Integrator::start() {
@@ -98,36 +143,14 @@ double Integrator::prediction(const Advanced& one, double step_size) const {
   return unknown ? 0.0 : step_size / 2.0;
 }
 
-void Integrator::predict(double step_size) {
+void Integrator::predict(double step_size, const Motion& motion) {
   for (const Advanced& one : advanced_) {
     if (!one.predicted) continue;
     // The prediction is written where the start of the last step was.
     if (one.start != nullptr) one.start->exchange_master(*one.field);
     advance(one, one.start != nullptr ? *one.start : *one.field, prediction(one, step_size));
   }
-  if (way_to_midpoint_ == nullptr) {
-    move(step_size / 2.0, 0.0);
-  } else {
-    move_by_passes(step_size, true);
-  }
-}
-
-template <class Real>
-exec::Reduction Integrator::move_by_passes(double step_size, bool to_midpoint) {
-  exec::MoveByPassesArguments<Real> moving{};
-  for (int d = 0; d < state_.scene.dimension; ++d) moving.position[d] = state_.particles.position[d].device(read_write);
-  moving.way = way_to_midpoint_->master(device, read_write);
-  moving.velocity = std::as_const(*velocity_).view<Real>(device);
-  if (shift_ != nullptr && !to_midpoint) moving.shift = std::as_const(*shift_).view<Real>(device);
-  moving.step_size = step_size;
-  moving.to_midpoint = to_midpoint;
-  moving.dimension = state_.scene.dimension;
-  return state_.backend.fields<Real>().move(moving, state_.particles.count());
-}
-
-exec::Reduction Integrator::move_by_passes(double step_size, bool to_midpoint) {
-  state_.order.mark_moved();
-  return dispatch(state_.scene.precision, [&]<class Real>() { return move_by_passes<Real>(step_size, to_midpoint); });
+  move_to_midpoint(step_size, motion);
 }
 
 const Integrator::Advanced* Integrator::staged_velocity() const {
@@ -145,43 +168,37 @@ void Integrator::advance_velocity(double step_size) {
   advance(*velocity, *velocity->start, step_size / 2.0);
 }
 
-Motion Integrator::correct(double step_size) {
+void Integrator::correct(double step_size) {
   const bool midpoint = scheme_ == TimeScheme::midpoint && !stages_velocity();
-  // Where passes advance the velocity, what it will be is found in the phase that follows: the largest is that of the
-  // midpoint.
   const bool by_passes = way_to_midpoint_ != nullptr;
-  std::optional<exec::Reduction> nowhere;
-  if (by_passes) {
-    nowhere = move_by_passes(step_size, false);
-  } else if (midpoint) {
-    nowhere = move(step_size / 2.0, step_size);
-  }
+  if (by_passes || midpoint) move_to_end(step_size);
   for (const Advanced& one : advanced_) {
     if (one.in_stages == nullptr || one.field == velocity_) continue;
     if (one.start != nullptr) advance(one, *one.start, 0.0);
     stages_.take(*one.in_stages, step_size);
   }
-  std::vector<exec::Reduction> largest;
-  for (const Advanced& one : advanced_) {
-    Field& from = one.start != nullptr ? *one.start : *one.field;
-    largest.push_back(advance(one, from, one.start == nullptr && one.predicted ? step_size / 2.0 : step_size));
-  }
-  if (!by_passes && !midpoint) nowhere = move(step_size / 2.0, step_size);
-  const Backend& backend = state_.backend;
-  backend.wait();
+  for (Advanced& one : advanced_)
+    advance_to_end(one, one.start == nullptr && one.predicted ? step_size / 2.0 : step_size);
+  if (!by_passes && !midpoint) move_to_end(step_size);
+  // Where passes advance the velocity, what it will be is found in the phase that follows: this is that of the
+  // midpoint.
+  if (by_passes) fastest_ = look_for_largest(state_.backend, *velocity_, state_.particles.count());
+}
 
+Motion Integrator::motion() {
+  const auto root = [&](exec::Reduction found) { return std::sqrt(state_.backend.found(found)); };
   Motion motion;
-  motion.finite = !nowhere || backend.found(*nowhere) == 0.0;
-  for (std::size_t n = 0; n < advanced_.size(); ++n) {
-    const double value = std::sqrt(backend.found(largest[n]));
-    const double rate = std::sqrt(backend.found(largest[n].next()));
-    motion.finite = motion.finite && std::isfinite(value) && std::isfinite(rate);
-    advanced_[n].largest = value;
-    if (advanced_[n].field != velocity_) continue;
-    motion.fastest = value;
+  if (farthest_) motion.farthest = root(*farthest_);
+  motion.finite = !farthest_ || std::isfinite(motion.farthest);
+  for (Advanced& one : advanced_) {
+    one.largest = root(one.found);
+    const double rate = root(one.found.next());
+    motion.finite = motion.finite && std::isfinite(one.largest) && std::isfinite(rate);
+    if (one.field != velocity_) continue;
+    motion.fastest = one.largest;
     motion.largest_acceleration = rate;
   }
-  if (by_passes) motion.fastest = fastest();
+  if (fastest_) motion.fastest = root(*fastest_);
   return motion;
 }
 

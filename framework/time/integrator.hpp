@@ -1,10 +1,12 @@
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "mesogen/export.hpp"
+#include "particles/field_loops.hpp"
 #include "schedule/catalogue.hpp"
 #include "schedule/state.hpp"
 #include "time/stages.hpp"
@@ -16,6 +18,8 @@ struct Motion {
   double fastest = 0.0;             ///< largest speed, m/s
   double largest_acceleration = 0;  ///< m/s2
   bool finite = true;               ///< was every advanced number finite?
+  /// No particle is farther than this from where it was sorted, m.
+  double farthest = std::numeric_limits<double>::infinity();
 };
 
 /// How `predicted` fields (velocity, order tensor) and positions are advanced. Both evaluate the rates once a step, at
@@ -52,11 +56,14 @@ class MESOGEN_EXPORT Integrator {
 
   /// Completes the rates at the start of a run by the terms that are taken in stages.
   void start();
-  void predict(double step_size);
+  /// `motion`: what the last step found.
+  void predict(double step_size, const Motion& motion);
   /// In a stabilised step, once the acceleration is known; does nothing to any other velocity.
   void advance_velocity(double step_size);
   [[nodiscard]] bool stages_velocity() const;
-  Motion correct(double step_size);
+  /// Only asks for it; motion() tells what the step found, once the backend has waited.
+  void correct(double step_size);
+  [[nodiscard]] Motion motion();
 
   /// What a step left where passes advance the velocity, once they have.
   void look(double step_size, Motion& motion) const;
@@ -89,21 +96,25 @@ class MESOGEN_EXPORT Integrator {
     Field* start;                  // with TimeScheme::midpoint: a predicted field at the start of the step
     const LinearTerms* in_stages;  // null: none
     double largest = 0.0;
+    exec::Reduction found{};  // the largest, and that of the rate, squared
   };
   [[nodiscard]] const Advanced* staged_velocity() const;
   [[nodiscard]] double prediction(const Advanced& one, double step_size) const;
-  // f = from + by * rate; see FieldLoops::advance for what is found.
+  // f = from + by * rate.
+  void advance(const Advanced& one, Field& from, double by);
+  // The same at the end of a step, where somebody looks.
+  void advance_to_end(Advanced& one, double by);
   template <class Real>
-  exec::Reduction advance(const Advanced& one, Field& from, double by);
-  exec::Reduction advance(const Advanced& one, Field& from, double by);
-  // Nothing where nothing moves.
+  [[nodiscard]] exec::AdvanceArguments<Real> advancing(const Advanced& one, Field& from, double by) const;
   template <class Real>
-  exec::Reduction move(double by, double shift_by);
-  std::optional<exec::Reduction> move(double by, double shift_by);
-  // The same with a velocity that passes made, from where the step started.
+  [[nodiscard]] exec::MoveArguments<Real> moving(double by, double shift_by) const;
+  // With a velocity that passes made, from where the step started.
   template <class Real>
-  exec::Reduction move_by_passes(double step_size, bool to_midpoint);
-  exec::Reduction move_by_passes(double step_size, bool to_midpoint);
+  [[nodiscard]] exec::MoveByPassesArguments<Real> moving_by_passes(double step_size, bool to_midpoint) const;
+  template <class Arguments>
+  void set_position(Arguments& arguments) const;
+  void move_to_midpoint(double step_size, const Motion& motion);
+  void move_to_end(double step_size);
   template <class Real>
   void look(double step_size, Motion& motion) const;
 
@@ -116,7 +127,9 @@ class MESOGEN_EXPORT Integrator {
   Field* acceleration_ = nullptr;
   Field* drive_ = nullptr;
   Field* shift_ = nullptr;
-  Field* way_to_midpoint_ = nullptr;  // of each particle, m; where passes advance the velocity
+  Field* way_to_midpoint_ = nullptr;         // of each particle, m; where passes advance the velocity
+  std::optional<exec::Reduction> farthest_;  // from where particles were sorted, squared; nothing where nothing moves
+  std::optional<exec::Reduction> fastest_;   // where passes advance the velocity
 };
 
 }  // namespace mesogen

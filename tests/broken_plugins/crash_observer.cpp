@@ -38,9 +38,9 @@ class Crashing final : public Observer {
 
  private:
   static double where(const ObserverContext& context) {
-    std::size_t place = 0;
-    while (context.id()[place] != 0) ++place;
-    return context.unwrapped_at(0, place);
+    Index place = 0;
+    while (context.id()[static_cast<std::size_t>(place)] != 0) ++place;
+    return context.unwrapped_at(0, {&place, 1}).front();
   }
 
   std::unique_ptr<double> first_;

@@ -10,12 +10,14 @@
 #include <cstdio>
 #include <cstdlib>
 #include <numbers>
+#include <numeric>
 #include <random>
 #include <vector>
 
 #include "../../plugins/physics/wcsph/passes.hpp"
 #include "ghosts/neighbourhood.hpp"
 #include "sph/passes/derivatives.hpp"
+#include "sph/passes/neighbour_runs.hpp"
 
 namespace {
 
@@ -115,21 +117,25 @@ Result compute(int across, bool device) {
   const auto position = exec::pointers(particles.position, exec::Side::host);
   Neighbours<Real, 2> host{};
   neighbourhood.fill(host, exec::Side::host);
+  const Real range = Real(neighbourhood.neighbour_range());
+  std::vector<Index> first_run(static_cast<std::size_t>(count) + 1);
+  exec::for_each({}, count, sph::FindRuns<Real, 2, false>{host, range * range, first_run.data(), nullptr});
+  std::exclusive_scan(first_run.begin(), first_run.end(), first_run.begin(), 0);
+  host.run_begin = first_run.data();
+  std::vector<NeighbourRun> runs(static_cast<std::size_t>(first_run.back()));
+  exec::for_each({}, count, sph::FindRuns<Real, 2, true>{host, range * range, nullptr, runs.data()});
 
   // Everything that the grid points to, where the passes run.
   const std::size_t stored = static_cast<std::size_t>(count) + 16;
-  const std::size_t cells = static_cast<std::size_t>(host.cell_count());
   Array<Real> x({host.local[0], host.local[0] + stored}, device);
   Array<Real> y({host.local[1], host.local[1] + stored}, device);
-  Array<Index> begin({host.cell_begin, host.cell_begin + cells}, device);
-  Array<Index> end({host.cell_end, host.cell_end + cells}, device);
-  Array<Index> cell({host.cell_of, host.cell_of + count}, device);
+  Array<Index> run_begin(first_run, device);
+  Array<NeighbourRun> run_list(runs, device);
   Neighbours<Real, 2> grid = host;
   grid.local[0] = x.data();
   grid.local[1] = y.data();
-  grid.cell_begin = begin.data();
-  grid.cell_end = end.data();
-  grid.cell_of = cell.data();
+  grid.run_begin = run_begin.data();
+  grid.run = run_list.data();
 
   const double pi = std::numbers::pi;
   std::vector<Real> velocity(2 * stored, Real(0));

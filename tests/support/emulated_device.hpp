@@ -5,6 +5,7 @@
 
 #include "backend/host_loops.hpp"
 #include "exec/emulated_memory.hpp"
+#include "mesh/emulated_mesh.hpp"
 #include "run/setup.hpp"
 
 namespace mesogen::test {
@@ -15,13 +16,14 @@ namespace mesogen::test {
 class EmulatedDevice final : public exec::BackendImpl {
  public:
   explicit EmulatedDevice(exec::EmulatedMemory& memory)
-      : BackendImpl(exec::Space{}), memory_(memory), cells_(reductions()) {}
+      : BackendImpl(exec::Space{}), memory_(memory), cells_(reductions()), mesh_(memory) {}
 
   [[nodiscard]] std::string device() const override { return "the host, for a test"; }
   [[nodiscard]] exec::DeviceMemory* memory() const override { return &memory_; }
   [[nodiscard]] bool has_host_code() const override { return true; }
   void finish() const override {}
   [[nodiscard]] const exec::CellLoops& cells() const override { return cells_; }
+  [[nodiscard]] const mesh::DeviceMesh* mesh() const override { return &mesh_; }
 
   /// What a setup takes to run there: `on_device` tells of each physics plugin whether its passes do.
   [[nodiscard]] SetupAdditions additions(std::function<bool(const std::string& type)> on_device) const {
@@ -37,6 +39,7 @@ class EmulatedDevice final : public exec::BackendImpl {
  private:
   exec::EmulatedMemory& memory_;
   exec::HostCellLoops cells_;
+  mesh::EmulatedMesh mesh_;
 };
 
 }  // namespace mesogen::test

@@ -112,7 +112,12 @@ class FakeObserverContext final : public ObserverContext {
   [[nodiscard]] std::vector<double> unwrapped(int axis) const override {
     return stored(path_.at(static_cast<std::size_t>(axis)));
   }
-  [[nodiscard]] double unwrapped_at(int axis, std::size_t place) const override { return unwrapped(axis).at(place); }
+  [[nodiscard]] std::vector<double> unwrapped_at(int axis, std::span<const Index> places) const override {
+    const auto all = unwrapped(axis);
+    std::vector<double> some;
+    for (const Index place : places) some.push_back(all.at(static_cast<std::size_t>(place)));
+    return some;
+  }
   [[nodiscard]] std::span<const std::int64_t> id() const override { return id_; }
   [[nodiscard]] const Scene& scene() const override { return scene_; }
   [[nodiscard]] const sph::SmoothingKernel& kernel() const override { return kernel_; }

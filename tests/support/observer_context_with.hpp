@@ -20,8 +20,8 @@ class ObserverContextWith final : public ObserverContext {
   [[nodiscard]] bool has(std::string_view field) const override { return from_.has(field); }
   [[nodiscard]] std::vector<double> position(int axis) const override { return from_.position(axis); }
   [[nodiscard]] std::vector<double> unwrapped(int axis) const override { return from_.unwrapped(axis); }
-  [[nodiscard]] double unwrapped_at(int axis, std::size_t place) const override {
-    return from_.unwrapped_at(axis, place);
+  [[nodiscard]] std::vector<double> unwrapped_at(int axis, std::span<const Index> places) const override {
+    return from_.unwrapped_at(axis, places);
   }
   [[nodiscard]] std::span<const std::int64_t> id() const override { return from_.id(); }
   [[nodiscard]] const Scene& scene() const override { return scene_; }

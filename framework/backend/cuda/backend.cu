@@ -10,11 +10,13 @@
 #include <limits>
 #include <string>
 
+#include "backend/cuda/cuda_mesh.hpp"
 #include "backend/cuda_library.hpp"
 #include "backend/host_loops.hpp"
-#include "exec/array.hpp"
 #include "exec/emulated_memory.hpp"
+#include "mesh/emulated_mesh.hpp"
 #include "mesogen/diagnostics/error.hpp"
+#include "mesogen/exec/array.hpp"
 #include "mesogen/exec/cuda_check.hpp"
 
 namespace mesogen {
@@ -89,9 +91,12 @@ struct Box {
   int dimension;
 };
 
+using BlocksOfSearch = exec::ThreadBlocks<256>;
+
 __global__ void note_outside(Box box, Index count, Index* found, Index* number) {
-  const Index i = static_cast<Index>(blockIdx.x * blockDim.x + threadIdx.x);
-  if (i < count && !exec::is_inside(box.position, box.length, box.dimension, i)) found[atomicAdd(number, 1)] = i;
+  const auto i = static_cast<Index>(BlocksOfSearch::thread(blockIdx.x, threadIdx.x));
+  if (i >= 0 && i < count && !exec::is_inside(box.position, box.length, box.dimension, i))
+    found[atomicAdd(number, 1)] = i;
 }
 
 class CudaCellLoops final : public exec::CellLoopsImpl {
@@ -122,9 +127,8 @@ class CudaCellLoops final : public exec::CellLoopsImpl {
     constexpr const char* what = "looking for who left the box";
     auto* const number = room(number_, 1);
     check_cuda(cudaMemsetAsync(number, 0, sizeof(Index), stream()), what);
-    constexpr int block = 256;
     const Box all{{position[0], position[1], position[2]}, {box[0], box[1], box[2]}, dimension};
-    note_outside<<<(count + block - 1) / block, block, 0, stream()>>>(all, count, found, number);
+    note_outside<<<BlocksOfSearch::number(count), BlocksOfSearch::size, 0, stream()>>>(all, count, found, number);
     check_launch(what);
     return to_host(number, what);
   }
@@ -159,40 +163,50 @@ class CudaCellLoops final : public exec::CellLoopsImpl {
 
 class OnCuda final : public exec::BackendImpl {
  public:
-  OnCuda(const exec::Space& space, std::string device, double* on_device, double* pinned)
+  OnCuda(const exec::Space& space, const cudaDeviceProp& properties, double* on_device, double* pinned)
       : BackendImpl(space, on_device, pinned),
-        device_(std::move(device)),
+        device_(properties.name),
+        architecture_("sm_" + std::to_string(10 * properties.major + properties.minor)),
         memory_(device_, static_cast<cudaStream_t>(space.stream)),
-        cells_(space, reductions(), memory_) {}
+        cells_(space, reductions(), memory_),
+        mesh_(space, memory_) {}
 
   [[nodiscard]] std::string device() const override { return device_; }
+  [[nodiscard]] std::string architecture() const override { return architecture_; }
   [[nodiscard]] exec::DeviceMemory* memory() const override { return &memory_; }
   [[nodiscard]] bool has_host_code() const override { return false; }
   void finish() const override {
     check_cuda(cudaStreamSynchronize(static_cast<cudaStream_t>(space().stream)), "a wait for all of its work");
   }
   [[nodiscard]] const exec::CellLoops& cells() const override { return cells_; }
+  [[nodiscard]] const mesh::DeviceMesh* mesh() const override { return &mesh_; }
 
  private:
   std::string device_;
+  std::string architecture_;
   mutable CudaMemory memory_;
   CudaCellLoops cells_;
+  CudaMesh mesh_;
 };
 
 /// The host plays the device: the same code, memory apart.
 class OnHost final : public exec::BackendImpl {
  public:
-  explicit OnHost(std::size_t bytes) : BackendImpl(exec::Space{}), memory_(bytes), cells_(reductions()) {}
+  explicit OnHost(std::size_t bytes)
+      : BackendImpl(exec::Space{}), memory_(bytes), cells_(reductions()), mesh_(memory_) {}
 
   [[nodiscard]] std::string device() const override { return "the host, for a test"; }
+  [[nodiscard]] std::string architecture() const override { return "on the host"; }
   [[nodiscard]] exec::DeviceMemory* memory() const override { return &memory_; }
   [[nodiscard]] bool has_host_code() const override { return false; }
   void finish() const override {}
   [[nodiscard]] const exec::CellLoops& cells() const override { return cells_; }
+  [[nodiscard]] const mesh::DeviceMesh* mesh() const override { return &mesh_; }
 
  private:
   mutable exec::EmulatedMemory memory_;
   exec::HostCellLoops cells_;
+  mesh::EmulatedMesh mesh_;
 };
 
 CudaBackend on_host() {
@@ -200,15 +214,17 @@ CudaBackend on_host() {
   return {new OnHost(bytes == nullptr ? std::numeric_limits<std::size_t>::max() : std::stoull(bytes)), {}};
 }
 
-/// The first device: CUDA_VISIBLE_DEVICES says which that is.
+/// The device that is current: without further ado the first that CUDA_VISIBLE_DEVICES lets be seen.
 CudaBackend on_device() {
   int devices = 0;
   const cudaError_t status = cudaGetDeviceCount(&devices);
   if (status != cudaSuccess || devices == 0)
     return {nullptr, std::string("there is no CUDA device here (") +
                          (status == cudaSuccess ? "none was found" : cudaGetErrorString(status)) + ")"};
+  int current = 0;
   cudaDeviceProp properties{};
-  check_cuda(cudaGetDeviceProperties(&properties, 0), "asking for its properties");
+  check_cuda(cudaGetDevice(&current), "asking which is current");
+  check_cuda(cudaGetDeviceProperties(&properties, current), "asking for its properties");
   if (properties.major < 8)
     return {nullptr, std::string("the CUDA device ") + properties.name + " is of compute capability " +
                          std::to_string(properties.major) + "." + std::to_string(properties.minor) +
@@ -218,8 +234,9 @@ CudaBackend on_device() {
   double* device = nullptr;
   double* pinned = nullptr;
   check_cuda(cudaMalloc(&device, exec::Reductions::size * sizeof(double)), "room for reductions");
+  check_cuda(cudaMemset(device, 0, exec::Reductions::size * sizeof(double)), "room for reductions");
   check_cuda(cudaMallocHost(&pinned, exec::Reductions::size * sizeof(double)), "room for reductions");
-  return {new OnCuda({stream, true}, properties.name, device, pinned), {}};
+  return {new OnCuda({stream, true}, properties, device, pinned), {}};
 }
 
 CudaBackend make() {

@@ -26,15 +26,19 @@ class DerivativeLoop {
 
   /// The n-th group.
   MESOGEN_HOST_DEVICE void operator()(Index n) const {
+#ifdef __CUDACC__
+    run(n);  // what a kernel is given lies in memory that it cannot write
+#else
     // A copy that nobody else knows of stays in registers whatever is written.
     const DerivativeLoop own = *this;
     own.run(n);
+#endif
   }
 
  private:
   [[gnu::always_inline]] MESOGEN_HOST_DEVICE void run(Index n) const {
     const Index first = n * group;
-    const int members = particles_ - first < group ? particles_ - first : group;
+    const int members = group == 1 || particles_ - first >= group ? group : particles_ - first;
     Kept kept;
     Sums sums;
     source_.keep(first, members, kept);
@@ -44,7 +48,8 @@ class DerivativeLoop {
     sums.read(members, moment);
     fit_.solve(moment, weight);
     if (wanted_.correction)
-      for (int c = 0; c < Dim * Dim; ++c) put(weight[Fit::correction + c], &wanted_.correction(c, first), members);
+      exec::unroll<Dim * Dim>(
+          [&](auto c) { put(weight[Fit::correction + c], &wanted_.correction(c, first), members); });
     if constexpr (Count > 0) {
       Weights weights(weight);
       for (int k = 0; k < members; ++k) sum_scalars(first, k, kept, weights, sums);
@@ -69,11 +74,11 @@ class DerivativeLoop {
     /// As packs over the group.
     template <int Number>
     MESOGEN_HOST_DEVICE void read(int members, Lane (&sum)[Number]) {
-      for (int n = 0; n < Number; ++n) {
+      exec::unroll<Number>([&](auto n) __attribute__((always_inline)) {
         for (int k = members; k < group; ++k)
           for (int lane = 0; lane < group; ++lane) lanes[n][k][lane] = Real(0);
         exec::sum_across(lanes[n], sum[n]);
-      }
+      });
     }
   };
 
@@ -82,7 +87,7 @@ class DerivativeLoop {
     Real of[Fit::weight_count][group];
 
     MESOGEN_HOST_DEVICE explicit Weights(const Lane* pack) {
-      for (int n = 0; n < Fit::weight_count; ++n) exec::store(pack[n], of[n]);
+      exec::unroll<Fit::weight_count>([&](auto n) { exec::store(pack[n], of[n]); });
     }
   };
 
@@ -107,7 +112,7 @@ class DerivativeLoop {
     Real weight[Fit::weight_count];
     exec::unroll<Fit::weight_count>([&](auto n) { weight[n] = weights.of[n][k]; });
     Lane sum[scalar_sums];
-    for (int n = 0; n < Count; ++n) own[n] = wanted_.source[n][first + k];
+    exec::unroll<Count>([&](auto n) { own[n] = wanted_.source[n][first + k]; });
     exec::unroll<scalar_sums>([&](auto n) __attribute__((always_inline)) { sum[n] = Lane(Real(0)); });
     source_.visit(
         first, k, kept, [&](const Weighed& p, const Place<Lane>& place) __attribute__((always_inline)) {
@@ -132,16 +137,17 @@ class DerivativeLoop {
   }
 
   MESOGEN_HOST_DEVICE void finish(const Lane* sum, const Lane* weight, Index first, int members) const {
-    for (int n = 0; n < Count; ++n, sum += per_scalar) {
+    exec::unroll<Count>([&](auto n) {
+      const Lane* const own = sum + n * per_scalar;
       if constexpr (Fit::gives_laplacian)
-        if (wanted_.laplacian[n] != nullptr) put(sum[Dim], wanted_.laplacian[n] + first, members);
-      if (wanted_.gradient[n][0] == nullptr) continue;
-      for (int a = 0; a < Dim; ++a) {
+        if (wanted_.laplacian[n] != nullptr) put(own[Dim], wanted_.laplacian[n] + first, members);
+      if (wanted_.gradient[n][0] == nullptr) return;
+      exec::unroll<Dim>([&](auto a) {
         Lane component(Real(0));
-        for (int b = 0; b < Dim; ++b) component = component + weight[Fit::correction + a * Dim + b] * sum[b];
+        for (int b = 0; b < Dim; ++b) component = component + weight[Fit::correction + a * Dim + b] * own[b];
         put(component, wanted_.gradient[n][a] + first, members);
-      }
-    }
+      });
+    });
   }
 
   Source source_;

@@ -181,7 +181,7 @@ struct ValueLoop {
       if (is_curved) value[c] += (1.0 - from_wall.weight) * curved.at_wall[n * components + c];
     }
     if (is_curved && curved.along_wall) straighten(n, value);
-    rules.apply(n, value);
+    rules.apply(n, value, components);
     for (int c = 0; c < components; ++c) field(c, first + n) = static_cast<Real>(value[c]);
   }
 

@@ -39,7 +39,7 @@ template <int Dim>
 double curl_square(const std::array<double, Dim>& k, const std::array<mesh::Complex, Dim>& u) {
   double square = 0.0;
   for (std::size_t a = 0; a < Dim; ++a)
-    for (std::size_t b = a + 1; b < Dim; ++b) square += std::norm(k[a] * u[b] - k[b] * u[a]);
+    for (std::size_t b = a + 1; b < Dim; ++b) square += norm(k[a] * u[b] - k[b] * u[a]);
   return square;
 }
 
@@ -55,7 +55,7 @@ class Flow {
     observed_.spectrum().kept().for_each([&](std::size_t n, const auto& k) {
       std::array<mesh::Complex, Dim> u{};
       for (std::size_t d = 0; d < Dim; ++d) u[d] = modes[d][n];
-      for (const mesh::Complex& component : u) powers.velocity[n] += std::norm(component);
+      for (const mesh::Complex& component : u) powers.velocity[n] += norm(component);
       powers.vorticity[n] = curl_square<Dim>(k, u);
     });
     leave_out_rounding(powers);

@@ -136,7 +136,7 @@ class Spectrum {
         const double k = std::sqrt(square);
         into.wave_numbers.insert(into.wave_numbers.end(), static_cast<std::size_t>(times), k);
         double energy = 0.0;
-        for (std::size_t d = 0; d < Dim; ++d) energy += 0.5 * times * std::norm(modes[d][mode]);
+        for (std::size_t d = 0; d < Dim; ++d) energy += 0.5 * times * norm(modes[d][mode]);
         into.energy += energy;
         into.moment += energy * k;
       }

@@ -155,12 +155,13 @@ class Pathlines final : public Observer {
 
   /// Row-major: a row a chosen particle, a column an axis.
   std::vector<double> current_path(const ObserverContext& context) {
-    const auto& place = places_.find(id_, context.id());
+    const auto& places = places_.find(id_, context.id());
     const auto dimension = static_cast<std::size_t>(context.scene().dimension);
     std::vector<double> path(id_.size() * dimension);
-    for (std::size_t i = 0; i < id_.size(); ++i)
-      for (std::size_t d = 0; d < dimension; ++d)
-        path[i * dimension + d] = context.unwrapped_at(static_cast<int>(d), place[i]);
+    for (std::size_t d = 0; d < dimension; ++d) {
+      const auto along = context.unwrapped_at(static_cast<int>(d), places);
+      for (std::size_t i = 0; i < id_.size(); ++i) path[i * dimension + d] = along[i];
+    }
     return path;
   }
 

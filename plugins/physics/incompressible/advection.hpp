@@ -2,35 +2,29 @@
 
 #include <array>
 
-#include "mesogen/mesh/mode_transform.hpp"
+#include "mesogen/mesh/kept_modes.hpp"
 
 namespace mesogen::incompressible {
 
-/// Subtracts div(u u) from a force, by products at the points of the mesh. velocity(n, numbers) must write the n-th
-/// modes of u.
-template <int Dim, class Real, class Velocity>
-void subtract_advection(mesh::ModeTransform<Dim, Real>& transform, const Velocity& velocity,
-                        const std::array<mesh::Complex*, Dim>& force) {
-  constexpr int products = Dim * (Dim + 1) / 2;
-  using WaveVector = std::array<double, Dim>;
-  auto& points = transform.points(products);
-  transform.template to_points<Dim>(
-      [&](std::size_t n, const WaveVector&, mesh::Complex* numbers) { velocity(n, numbers); });
-  const int rows = points.row_count();
-  const int columns = transform.kept().grid().points[0];
-#pragma omp parallel for schedule(static) if (rows * columns >= mesh::parallel_threshold)
-  for (int row = 0; row < rows; ++row) {
-    Real* at[products];
-    for (int c = 0; c < products; ++c) at[c] = points.row(c, row);
-    for (int x = 0; x < columns; ++x) {
-      Real u[Dim];
-      for (int d = 0; d < Dim; ++d) u[d] = at[d][x];
-      int c = 0;
-      for (int a = 0; a < Dim; ++a)
-        for (int b = a; b < Dim; ++b) at[c++][x] = u[a] * u[b];
-    }
+/// u_a u_b at a point, a <= b, row by row.
+template <class Real, int Dim>
+struct Products {
+  static constexpr int count = Dim * (Dim + 1) / 2;
+
+  MESOGEN_HOST_DEVICE void operator()(const Real* u, Real* products) const {
+    int c = 0;
+    for (int a = 0; a < Dim; ++a)
+      for (int b = a; b < Dim; ++b) products[c++] = u[a] * u[b];
   }
-  transform.template to_modes<products>([&](std::size_t n, const WaveVector& k, const mesh::Complex* flux) {
+};
+
+/// Subtracts from a force the divergence of such products.
+template <int Dim>
+struct SubtractDivergence {
+  std::array<mesh::Complex*, Dim> force;
+
+  MESOGEN_HOST_DEVICE void operator()(std::size_t n, const std::array<double, Dim>& k,
+                                      const mesh::Complex* flux) const {
     int c = 0;
     for (int a = 0; a < Dim; ++a) {
       for (int b = a; b < Dim; ++b, ++c) {
@@ -38,7 +32,18 @@ void subtract_advection(mesh::ModeTransform<Dim, Real>& transform, const Velocit
         if (a != b) force[b][n] -= mesh::derivative(k[a], flux[c]);
       }
     }
-  });
+  }
+};
+
+/// Subtracts div(u u) from a force, by products at the points of the mesh. velocity(n, k, numbers) must write the n-th
+/// modes of u. `transform`: as of mesh::PassSpectrum::with_transform.
+template <class Real, int Dim, class Transform, class Velocity>
+void subtract_advection(Transform& transform, const Velocity& velocity, const std::array<mesh::Complex*, Dim>& force) {
+  constexpr int products = Products<Real, Dim>::count;
+  transform.hold_points(products);
+  transform.template to_points<Dim>(velocity);
+  transform.template change_points<Dim, products>(Products<Real, Dim>{});
+  transform.template to_modes<products>(SubtractDivergence<Dim>{force});
 }
 
 }  // namespace mesogen::incompressible

@@ -107,11 +107,11 @@ requires(Dim == 2) class Incompressible final : public Physics {
         made->reads({"order_tensor"}).writes({"order_tensor_gradient", "order_tensor_laplacian"});
       if (shifts) in_step.accumulates({"shift_velocity"});
       in_step.run([this, shifts](const PassContext& context) {
-        shifts ? flow().template order_tensor_derivatives<true>(context, diffusivity_, context.step_size())
-               : flow().template order_tensor_derivatives<false>(context, diffusivity_, context.step_size());
+        shifts ? flow(context).template order_tensor_derivatives<true>(context, diffusivity_, context.step_size())
+               : flow(context).template order_tensor_derivatives<false>(context, diffusivity_, context.step_size());
       });
       for_readers.run([this](const PassContext& context) {
-        flow().template order_tensor_derivatives<false>(context, diffusivity_, 0.0);
+        flow(context).template order_tensor_derivatives<false>(context, diffusivity_, 0.0);
       });
     }
     // So that there is an acceleration where nobody adds to it.
@@ -167,7 +167,7 @@ requires(Dim == 2) class Incompressible final : public Physics {
 
   using Action = void (MeshFlow<Real, Dim>::*)(const PassContext&);
   Pass& pass(PassList& list, const char* name, Phase phase, Action action) {
-    return list.pass(name, phase).run([this, action](const PassContext& context) { (flow().*action)(context); });
+    return list.pass(name, phase).run([this, action](const PassContext& context) { (flow(context).*action)(context); });
   }
 
   // Made when it is first used: a case is also put together only to be looked at.
@@ -176,6 +176,10 @@ requires(Dim == 2) class Incompressible final : public Physics {
       flow_ = std::make_unique<MeshFlow<Real, Dim>>(grid_, particle_spacing_, fluid_,
                                                     incompressible::Numerics{static_cast<int>(corrections_), shift_});
     return *flow_;
+  }
+  MeshFlow<Real, Dim>& flow(const PassContext& context) {
+    flow().run_where(context);
+    return flow();
   }
 
   void move_apart(const PassContext& context) {

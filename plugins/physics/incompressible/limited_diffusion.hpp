@@ -18,6 +18,6 @@ double smallest_cutoff(const mesh::KeptModes<Dim>& kept) {
 
 /// A diffusion that decays with z a step is slowed down to z limited(z): by no more than z^2 of itself where steps are
 /// short, so second order in time, and never beyond what an explicit step bears (0.67, where 1 is stable).
-inline double limited(double z) { return (1.0 + 0.5 * z) / (1.0 + 0.5 * z + z * z); }
+MESOGEN_HOST_DEVICE inline double limited(double z) { return (1.0 + 0.5 * z) / (1.0 + 0.5 * z + z * z); }
 
 }  // namespace mesogen::incompressible

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstring>
 #include <filesystem>
 #include <functional>
@@ -142,6 +143,69 @@ TEST(EmulatedDevice, MakesPrescribedValues) {
       .section("output", "fields = [\"velocity\", \"order_tensor\", \"activity\", \"activity_gradient\"]");
   const Story host = run_on_host(text);
   for (const auto on_device : {&everybody, &nobody, &some}) expect_same(run_emulated(text, on_device), host);
+}
+
+// A mesh has loops of its own on a device: the same numbers as on the host but for rounding, and the same bits in every
+// run.
+TEST(EmulatedDevice, RunsAFlowOnAMesh) {
+  const auto velocity = [](const std::string& precision, const SetupAdditions& additions) {
+    const auto setup = put_together(mesh_scene(precision, "periodic_ghosts"), built_plugins(), additions);
+    Stepper stepper(*setup);
+    stepper.start();
+    for (int n = 0; n < 20; ++n) stepper.advance(stepper.next_step(1e6), {false});
+    Checkpoint checkpoint;
+    stepper.save(checkpoint);
+    return checkpoint.numbers.at("field velocity 1");
+  };
+  for (const std::string precision : {"single", "double"}) {
+    exec::EmulatedMemory memory;
+    const EmulatedDevice device(memory);
+    const auto host = velocity(precision, {});
+    const auto emulated = velocity(precision, device.additions(everybody));
+    ASSERT_EQ(emulated.size(), host.size());
+    for (std::size_t i = 0; i < host.size(); ++i)
+      EXPECT_NEAR(emulated[i], host[i], precision == "single" ? 1e-5 : 1e-12);
+    EXPECT_EQ(emulated, velocity(precision, device.additions(everybody)));
+  }
+}
+
+class CountingMemory final : public exec::EmulatedMemory {
+ public:
+  void to_device(void* device, const void* host, std::size_t bytes) override {
+    copied += bytes;
+    EmulatedMemory::to_device(device, host, bytes);
+  }
+  void to_host(void* host, const void* device, std::size_t bytes) override {
+    copied += bytes;
+    EmulatedMemory::to_host(host, device, bytes);
+  }
+  std::size_t copied = 0;
+};
+
+// Sums over the mesh and means, whatever the number of particles: no field, no modes. (Where particles are sorted,
+// which is not in every step, this device looks for neighbours on the host.)
+TEST(EmulatedDevice, AStepOnAMeshCopiesAFewNumbers) {
+  CountingMemory memory;
+  const EmulatedDevice device(memory);
+  CaseText text(4.0, 40);
+  text.section("time", "end = 1e6")
+      .boundary("periodic_wrap")
+      .precision("double")
+      .modes("director", "[[1, 0, 0.4, 0.3], [0, 1, 0.3, 1.1], [2, -1, 0.1, 0.7]]")
+      .nematic(0.4, 0.7, 0.02)
+      .active(0.5)
+      .section("physics.flow", "type = \"incompressible\"\ndensity = 1.0\nviscosity = 0.05");
+  const auto setup = put_together(text, built_plugins(), device.additions(everybody));
+  Stepper stepper(*setup);
+  stepper.start();
+  std::vector<std::size_t> copied;
+  for (int n = 0; n < 10; ++n) {
+    memory.copied = 0;
+    stepper.advance(stepper.next_step(1e6), {false});
+    copied.push_back(memory.copied);
+  }
+  EXPECT_GT(*std::ranges::min_element(copied), 0U);
+  EXPECT_LT(*std::ranges::min_element(copied), 4'000U);
 }
 
 // Its flow has loops of its own, which go over what the host has.

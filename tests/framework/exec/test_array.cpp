@@ -8,9 +8,9 @@
 #include <utility>
 #include <vector>
 
-#include "exec/array.hpp"
 #include "exec/emulated_memory.hpp"
 #include "mesogen/diagnostics/error.hpp"
+#include "mesogen/exec/array.hpp"
 
 namespace {
 

@@ -53,10 +53,10 @@ void expect_wave_is_mode(double within) {
   transform.forward(values, modes, 1);
   for (int row = 0; row < 10; ++row) {
     for (int n = 0; n < 7; ++n) {
-      std::complex<double> expected(0.0);
+      Complex expected(0.0);
       if (row == 0 && n == 0) expected = 0.5;
       if (row == 7 && n == 2) expected = std::polar(1.0, 0.3);
-      EXPECT_LT(std::abs(std::complex<double>(modes.modes(0, row)[n]) - expected), within) << row << ", " << n;
+      EXPECT_LT(abs(Complex(modes.modes(0, row)[n]) - expected), within) << row << ", " << n;
     }
   }
 }
@@ -100,7 +100,7 @@ TEST(FourierTransform, KeptModesAreThoseOfAWholeTransform) {
   FourierTransform<double>(grid).forward(values, all, 1);
   FourierTransform<double>(grid, 11).forward(values, some, 1);
   for (int row = 0; row < 20; ++row)
-    for (int n = 0; n < 11; ++n) ASSERT_LT(std::abs(all.modes(0, row)[n] - some.modes(0, row)[n]), 1e-15);
+    for (int n = 0; n < 11; ++n) ASSERT_LT(abs(all.modes(0, row)[n] - some.modes(0, row)[n]), 1e-15);
 }
 
 TEST(FourierTransform, AnyNumberOfThreadsGivesTheSameBits) {

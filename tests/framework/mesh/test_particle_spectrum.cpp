@@ -49,7 +49,7 @@ double error_of_fit(const Particles& particles, int points, int corrections) {
   const int in_row = spectrum.grid().modes_in_row();
   for (std::size_t n = 0; n < modes.size(); ++n) {
     const bool expected = n == static_cast<std::size_t>((points - 2) * in_row + 3);
-    square += std::norm(modes[n] - (expected ? std::polar(0.5, 0.4) : Complex(0.0)));
+    square += norm(modes[n] - (expected ? Complex(std::polar(0.5, 0.4)) : Complex(0.0)));
   }
   return std::sqrt(square);
 }
@@ -81,7 +81,7 @@ TEST(ParticleSpectrum, AWaveIsInterpolatedToFourthOrder) {
     std::vector<double> off(static_cast<std::size_t>(particles.count()));
     spectrum.template evaluate<1>(
         [&](std::size_t n, const auto& k, Complex* mode) {
-          *mode = n == wave ? std::polar(0.5, 0.4) : Complex(0.0);
+          *mode = n == wave ? Complex(std::polar(0.5, 0.4)) : Complex(0.0);
           if (n != wave) return;
           ASSERT_NEAR(k[0], 3.0 * 2.0 * std::numbers::pi / length, 1e-12);
           ASSERT_NEAR(k[1], -2.0 * 2.0 * std::numbers::pi / length, 1e-12);
@@ -124,7 +124,7 @@ TEST(ParticleSpectrum, UnevennessIsTheDensityOfParticles) {
   spectrum.unevenness(modes.data());
   EXPECT_NEAR(modes[1].real(), -0.5 * 0.001 * k, 1e-5 * 0.001 * k);
   EXPECT_NEAR(modes[1].imag(), 0.0, 1e-12);
-  EXPECT_NEAR(std::abs(modes[0]), 0.0, 1e-14);
+  EXPECT_NEAR(abs(modes[0]), 0.0, 1e-14);
 }
 
 TEST(ParticleSpectrum, AVoidIsAnError) {

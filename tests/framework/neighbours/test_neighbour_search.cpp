@@ -8,6 +8,7 @@
 #include <tuple>
 #include <vector>
 
+#include "neighbour_runs.hpp"
 #include "particle_scene.hpp"
 
 namespace {
@@ -20,8 +21,8 @@ using FoundPair = std::tuple<std::int64_t, std::int64_t, std::int64_t, std::int6
 
 std::int64_t rounded(double separation, double radius) { return std::llround(separation / radius * 1e9); }
 
-/// As pair sums see them: by blocks on the host, by segments on a device.
-enum class Form { blocks, segments };
+/// As pair sums see them: by blocks on the host, by runs on a device.
+enum class Form { blocks, runs };
 
 template <class Action>
 void visit_runs(const Neighbours<double, 2>& grid, Index i, Form form, const Action& action) {
@@ -38,19 +39,19 @@ void visit_runs(const Neighbours<double, 2>& grid, Index i, Form form, const Act
     }
     return;
   }
-  int at[2];
-  grid.cell_coordinates(grid.cell_of[i], at);
-  Segment<double, 2> segment[Neighbours<double, 2>::most_segments];
-  const int segments = grid.segments(at, segment);
-  EXPECT_LE(segments, (Neighbours<double, 2>::most_segments));
-  for (int s = 0; s < segments; ++s)
-    action(segment[s].begin, segment[s].end, segment[s].offset[0], segment[s].offset[1]);
+  for (Index n = grid.run_begin[i]; n < grid.run_begin[i + 1]; ++n) {
+    const NeighbourRun& run = grid.run[n];
+    EXPECT_GT(run.count, 0);
+    action(run.first, run.first + run.count, run.shift[0] * grid.width[0], run.shift[1] * grid.width[1]);
+  }
 }
 
 std::vector<FoundPair> pairs_in_grid(State& state, Form form) {
   state.order.settle();
   Neighbours<double, 2> grid{};
   state.neighbourhood.fill(grid, exec::Side::host);
+  const Runs runs(grid, state.neighbourhood.neighbour_range());
+  runs.give_to(grid);
   const GhostView ghosts = state.neighbourhood.ghost_view(exec::Side::host);
   const auto count = state.particles.count();
   const auto id = state.particles.id.host();
@@ -97,7 +98,7 @@ std::vector<FoundPair> pairs_by_trial(const State& state) {
 /// The same pairs, each found once. Separations agree to a part in 1e9, which may round to neighbouring numbers.
 void expect_all_pairs(State& state) {
   const auto expected = pairs_by_trial(state);
-  for (const Form form : {Form::blocks, Form::segments}) {
+  for (const Form form : {Form::blocks, Form::runs}) {
     const auto found = pairs_in_grid(state, form);
     ASSERT_EQ(found.size(), expected.size());
     for (std::size_t n = 0; n < found.size(); ++n) {

@@ -102,9 +102,9 @@ TEST(Stages, TakeWavesDownAtWallsHoweverManyTheyAre) {
       .flow(1.0, "shift = 0.0\nsound_speed = 0.5");
   CaseRun run(text);
   EXPECT_GT(forecast_steps(run.setup()).stages.at("velocity"), 70);
-  const double fastest = run.stepper().fastest();
+  const double fastest = run.stepper().motion().fastest;
   run.run_steps(60);
-  EXPECT_LT(run.stepper().fastest(), 1e-4 * fastest);
+  EXPECT_LT(run.stepper().motion().fastest, 1e-4 * fastest);
 }
 
 }  // namespace

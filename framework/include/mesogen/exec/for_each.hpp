@@ -18,11 +18,28 @@ struct Space {
   bool device = false;
 };
 
+/// How threads are numbered where `count` of them are started in blocks of `Size`: none is left out, and no number is
+/// too large for an int, up to the largest count that an Index can hold.
+template <unsigned Size>
+struct ThreadBlocks {
+  static constexpr unsigned size = Size;
+
+  [[nodiscard]] static constexpr unsigned number(Index count) {
+    return (static_cast<unsigned>(count) + Size - 1) / Size;
+  }
+  /// Of a thread, which may be beyond the last that is wanted: it then is not below `count`.
+  [[nodiscard]] static constexpr MESOGEN_HOST_DEVICE unsigned thread(unsigned block, unsigned in_block) {
+    return block * Size + in_block;
+  }
+};
+
 #ifdef __CUDACC__
+using LoopBlocks = ThreadBlocks<128>;
+
 template <class Function>
-__global__ void run_for_each(Index count, Function function) {
-  const Index i = static_cast<Index>(blockIdx.x) * static_cast<Index>(blockDim.x) + static_cast<Index>(threadIdx.x);
-  if (i < count) function(i);
+__global__ void __launch_bounds__(LoopBlocks::size) run_for_each(Index count, Function function) {
+  const unsigned i = LoopBlocks::thread(blockIdx.x, threadIdx.x);
+  if (i < static_cast<unsigned>(count)) function(static_cast<Index>(i));
 }
 #endif
 
@@ -36,8 +53,8 @@ void for_each(const Space& space, Index count, const Function& function,
 #ifdef __CUDACC__
   if (space.device) {
     if (count == 0) return;
-    constexpr int block = 128;
-    run_for_each<<<(count + block - 1) / block, block, 0, static_cast<cudaStream_t>(space.stream)>>>(count, function);
+    run_for_each<<<LoopBlocks::number(count), LoopBlocks::size, 0, static_cast<cudaStream_t>(space.stream)>>>(count,
+                                                                                                              function);
     check_launch(what);
     return;
   }

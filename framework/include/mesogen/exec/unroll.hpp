@@ -29,4 +29,13 @@ template <int Count, class Action>
   detail::unroll(action, std::make_integer_sequence<int, Count>{});
 }
 
+/// Calls action(d) for the axes 0 to dimension - 1, of which there are at most three: written out too, so that a device
+/// keeps what belongs to an axis in registers.
+template <class Action>
+[[gnu::always_inline]] MESOGEN_HOST_DEVICE inline void for_axes(int dimension, Action&& action) {
+  unroll<3>([&](auto d) {
+    if (d < dimension) action(d);
+  });
+}
+
 }  // namespace mesogen::exec

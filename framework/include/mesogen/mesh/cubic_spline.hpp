@@ -1,7 +1,6 @@
 #pragma once
 
 #include <array>
-#include <cmath>
 #include <cstddef>
 
 #include "mesogen/mesh/four_points.hpp"
@@ -22,13 +21,6 @@ struct CubicSpline {
     Pack weight = load<Pack>(factors<Width, Real>[3].data());
     for (std::size_t power = 3; power-- > 0;) weight = weight * f + load<Pack>(factors<Width, Real>[power].data());
     return weight;
-  }
-
-  /// Factor of a wave's amplitude when spread, and when interpolated: sinc^4(half wave number times mesh spacing).
-  static double transform(double half_phase) {
-    if (std::abs(half_phase) < 1e-8) return 1.0;
-    const double sinc = std::sin(half_phase) / half_phase;
-    return sinc * sinc * sinc * sinc;
   }
 
  private:

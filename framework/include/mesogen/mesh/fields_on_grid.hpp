@@ -1,11 +1,11 @@
 #pragma once
 
 #include <algorithm>
-#include <complex>
 #include <cstddef>
 #include <memory>
 #include <new>
 
+#include "mesogen/mesh/complex.hpp"
 #include "mesogen/mesh/grid.hpp"
 
 namespace mesogen::mesh {
@@ -51,8 +51,8 @@ class FieldsOnGrid {
     return numbers_.get() + field * field_stride() + row * stride_;
   }
   /// The same row, where it holds modes.
-  [[nodiscard]] std::complex<Real>* modes(int field, int row) {
-    return reinterpret_cast<std::complex<Real>*>(this->row(field, row));
+  [[nodiscard]] ComplexNumber<Real>* modes(int field, int row) {
+    return reinterpret_cast<ComplexNumber<Real>*>(this->row(field, row));
   }
 
  private:

@@ -15,28 +15,28 @@ struct Grid {
   std::array<int, Dim> points{};     ///< number along each axis, even
   std::array<double, Dim> length{};  ///< of the box, m
 
-  [[nodiscard]] double spacing(int axis) const { return length[axis] / points[axis]; }
-  [[nodiscard]] std::size_t point_count() const {
+  [[nodiscard]] MESOGEN_HOST_DEVICE double spacing(int axis) const { return length[axis] / points[axis]; }
+  [[nodiscard]] MESOGEN_HOST_DEVICE std::size_t point_count() const {
     std::size_t count = 1;
     for (int d = 0; d < Dim; ++d) count *= static_cast<std::size_t>(points[d]);
     return count;
   }
   /// Number of modes along the first axis, for real fields.
-  [[nodiscard]] int modes_in_row() const { return points[0] / 2 + 1; }
+  [[nodiscard]] MESOGEN_HOST_DEVICE int modes_in_row() const { return points[0] / 2 + 1; }
   /// Number of rows along the first axis.
-  [[nodiscard]] int row_count() const { return static_cast<int>(point_count()) / points[0]; }
-  [[nodiscard]] std::size_t mode_count() const {
+  [[nodiscard]] MESOGEN_HOST_DEVICE int row_count() const { return static_cast<int>(point_count()) / points[0]; }
+  [[nodiscard]] MESOGEN_HOST_DEVICE std::size_t mode_count() const {
     return static_cast<std::size_t>(row_count()) * static_cast<std::size_t>(modes_in_row());
   }
   /// Wave number of the n-th mode along an axis, 1/m.
-  [[nodiscard]] double wave_number(int axis, int n) const {
+  [[nodiscard]] MESOGEN_HOST_DEVICE double wave_number(int axis, int n) const {
     return 2.0 * std::numbers::pi / length[axis] * (2 * n <= points[axis] ? n : n - points[axis]);
   }
   /// Largest wave number along an axis that the grid can represent, 1/m.
   [[nodiscard]] double highest(int axis) const { return std::numbers::pi / spacing(axis); }
 
   /// Sets `at` to the coordinates of a row: at[0] = 0, the others are those along the second and third axis.
-  void row_coordinates(int row, std::array<int, Dim>& at) const {
+  MESOGEN_HOST_DEVICE void row_coordinates(int row, std::array<int, Dim>& at) const {
     at[0] = 0;
     for (int d = 1; d < Dim; ++d) {
       at[d] = row % points[d];

@@ -2,18 +2,13 @@
 
 #include <array>
 #include <cmath>
-#include <complex>
 #include <cstddef>
 #include <vector>
 
+#include "mesogen/mesh/complex.hpp"
 #include "mesogen/mesh/grid.hpp"
 
 namespace mesogen::mesh {
-
-using Complex = std::complex<double>;
-
-/// i k z: the mode of the derivative along an axis of which k is the wave number.
-inline Complex derivative(double k, const Complex& z) { return {-k * z.imag(), k * z.real()}; }
 
 /// The Fourier modes on a grid up to a cutoff: two thirds of the largest wave number of the grid along each axis. All
 /// others are zero, so a product of two fields has no aliased modes. Modes are numbered as they are stored: rows along
@@ -23,8 +18,8 @@ class KeptModes {
  public:
   using WaveVector = std::array<double, Dim>;
 
-  explicit KeptModes(const Grid<Dim>& grid) : grid_(grid), of_row_(static_cast<std::size_t>(grid.row_count())) {
-    while (in_row_ < grid.modes_in_row() && is_kept(0, in_row_)) ++in_row_;
+  explicit KeptModes(const Grid<Dim>& grid)
+      : grid_(grid), in_row_(number_below(0)), of_row_(static_cast<std::size_t>(grid.row_count())) {
     for (int row = 0; row < grid.row_count(); ++row) {
       std::array<int, Dim> at{};
       grid.row_coordinates(row, at);
@@ -44,10 +39,12 @@ class KeptModes {
   [[nodiscard]] int in_row(int row) const { return of_row_[static_cast<std::size_t>(row)] ? in_row_ : 0; }
   /// The largest of these numbers.
   [[nodiscard]] int in_row() const { return in_row_; }
+  /// Number of modes that are kept along an axis: of the first axis half of them, as all others follow.
+  [[nodiscard]] int along(int axis) const { return axis == 0 ? in_row_ : 2 * number_below(axis) - 1; }
 
-  static double square(const WaveVector& k) {
+  MESOGEN_HOST_DEVICE static double square(const WaveVector& k) {
     double sum = 0.0;
-    for (const double component : k) sum += component * component;
+    for (int d = 0; d < Dim; ++d) sum += k[d] * k[d];
     return sum;
   }
 
@@ -76,13 +73,36 @@ class KeptModes {
                       [&](std::size_t n, const WaveVector& k, int) { action(n, k); });
   }
 
+  /// Adds up row by row, then the sums of the rows: in one order for any number of threads. term(n, k, x, sum) must add
+  /// to `sum` what belongs to a mode.
+  template <class Term>
+  [[nodiscard]] double sum(const Term& term) const {
+    const int rows = grid_.row_count();
+    std::vector<double> of_row(static_cast<std::size_t>(rows));
+#pragma omp parallel for schedule(static) if (rows * in_row_ >= parallel_threshold)
+    for (int row = 0; row < rows; ++row) {
+      double sum = 0.0;
+      for_each_in_row(row, [&](std::size_t n, const WaveVector& k, int x) { term(n, k, x, sum); });
+      of_row[static_cast<std::size_t>(row)] = sum;
+    }
+    double total = 0.0;
+    for (const double sum : of_row) total += sum;
+    return total;
+  }
+
  private:
+  // How many of the modes 0, 1, ... along an axis are kept.
+  [[nodiscard]] int number_below(int axis) const {
+    int n = 0;
+    while (2 * n <= grid_.points[axis] && is_kept(axis, n)) ++n;
+    return n;
+  }
   [[nodiscard]] bool is_kept(int axis, int n) const {
     return std::abs(grid_.wave_number(axis, n)) <= cutoff(axis) * (1.0 + 1e-12);
   }
 
   Grid<Dim> grid_;
-  int in_row_ = 0;
+  int in_row_;
   std::vector<bool> of_row_;  // whether any mode of a row is kept
   std::vector<int> rows_;     // those of which modes are kept
 };

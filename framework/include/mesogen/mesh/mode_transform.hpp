@@ -1,7 +1,6 @@
 #pragma once
 
 #include <algorithm>
-#include <complex>
 
 #include "mesogen/mesh/fourier_transform.hpp"
 #include "mesogen/mesh/kept_modes.hpp"
@@ -34,14 +33,14 @@ class ModeTransform {
     const int in_row = kept_.grid().modes_in_row();
 #pragma omp parallel for schedule(static) if (rows * in_row >= parallel_threshold)
     for (int row = 0; row < rows; ++row) {
-      std::complex<Real>* to[Count];
+      ComplexNumber<Real>* to[Count];
       for (int c = 0; c < Count; ++c) to[c] = modes_.modes(c, row);
       kept_.for_each_in_row(row, [&](std::size_t n, const WaveVector& k, int x) {
         Complex numbers[Count];
         mode(n, k, numbers);
-        for (int c = 0; c < Count; ++c) to[c][x] = std::complex<Real>(numbers[c]);
+        for (int c = 0; c < Count; ++c) to[c][x] = ComplexNumber<Real>(numbers[c]);
       });
-      for (int c = 0; c < Count; ++c) std::fill(to[c] + kept_.in_row(row), to[c] + in_row, std::complex<Real>(0));
+      for (int c = 0; c < Count; ++c) std::fill(to[c] + kept_.in_row(row), to[c] + in_row, ComplexNumber<Real>(0));
     }
     transform_.backward(modes_, points_, Count);
   }
@@ -59,6 +58,28 @@ class ModeTransform {
         for (int c = 0; c < Count; ++c) numbers[c] = Complex(modes_.modes(c, row)[x]);
         take(n, k, numbers);
       });
+  }
+
+  /// Makes room for the values of so many fields.
+  void hold_points(int fields) { points_.hold(fields); }
+  /// Calls change(before, after) for every point: it must write, from the numbers that the first `From` fields have
+  /// there, those that the first `To` fields get. There must be room for them, see hold_points().
+  template <int From, int To, class Change>
+  void change_points(const Change& change) {
+    const int rows = points_.row_count();
+    const int columns = kept_.grid().points[0];
+#pragma omp parallel for schedule(static) if (rows * columns >= parallel_threshold)
+    for (int row = 0; row < rows; ++row) {
+      Real* at[std::max(From, To)];
+      for (int c = 0; c < std::max(From, To); ++c) at[c] = points_.row(c, row);
+      for (int x = 0; x < columns; ++x) {
+        Real before[From];
+        Real after[To];
+        for (int c = 0; c < From; ++c) before[c] = at[c][x];
+        change(before, after);
+        for (int c = 0; c < To; ++c) at[c][x] = after[c];
+      }
+    }
   }
 
  private:

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "mesogen/diagnostics/error.hpp"
+#include "mesogen/mesh/fitting.hpp"
 #include "mesogen/mesh/mode_transform.hpp"
 #include "mesogen/mesh/particle_mesh.hpp"
 
@@ -22,11 +22,7 @@ class ParticleSpectrum {
 
   explicit ParticleSpectrum(const Grid<Dim>& grid)
       : mesh_(grid), transform_(grid), restore_(grid.mode_count(), 0.0), weight_(grid, 1) {
-    kept().for_each([&](std::size_t n, const WaveVector& k) {
-      double left = 1.0;
-      for (int d = 0; d < Dim; ++d) left *= CubicSpline::transform(0.5 * k[d] * grid.spacing(d));
-      restore_[n] = 1.0 / left;
-    });
+    kept().for_each([&](std::size_t n, const WaveVector& k) { restore_[n] = restoring_factor<Dim>(grid, k); });
   }
 
   /// Approximate memory, in bytes, for so many particles, if `fitted` fields are fitted at a time and `evaluated` are
@@ -50,7 +46,7 @@ class ParticleSpectrum {
 #pragma omp parallel for schedule(static) reduction(| : lost) if (count >= parallel_threshold)
     for (Index i = 0; i < count; ++i)
       for (int d = 0; d < Dim; ++d) lost |= static_cast<int>(!(std::abs(position[d][i]) < 1e9 * grid().length[d]));
-    if (lost != 0) throw Error(ExitCode::run_failed, "the coordinate of a particle is not finite");
+    if (lost != 0) throw not_finite();
     mesh_.locate(position, count, origin);
     weighed_ = false;
   }
@@ -82,10 +78,8 @@ class ParticleSpectrum {
     transform_.template to_modes<Count>([&](std::size_t n, const WaveVector&, const Complex* spread) {
       for (int c = 0; c < Count; ++c) modes[c][n] = restore_[n] * spread[c];
     });
-    // The first guess misses about a share u, the unevenness, of a field. A correction misses 3 u of what it corrects
-    // (measured on lattices with jitter and in turbulence).
-    double missing = uneven_;
-    for (int n = 0; n < corrections && missing > missed; ++n, missing *= 3.0 * uneven_) {
+    Corrections left(corrections, uneven_);
+    while (left.next()) {
       to_points<Count>([&](std::size_t m, const WaveVector&, Complex* numbers) {
         for (int c = 0; c < Count; ++c) numbers[c] = modes[c][m];
       });
@@ -105,9 +99,6 @@ class ParticleSpectrum {
   }
 
  private:
-  static constexpr double empty = 1e-3;   // weight of a point with hardly any particle, over the mean weight
-  static constexpr double missed = 3e-3;  // no further correction if less than this share of a field is missing
-
   /// Values at the points of which interpolation makes the field of these modes.
   template <int Count, class Mode>
   void to_points(const Mode& mode) {
@@ -153,11 +144,7 @@ class ParticleSpectrum {
     double square = 0.0;
     for (const double of_row : row_squares_) square += of_row;
     uneven_ = std::sqrt(square / static_cast<double>(grid().point_count())) / mean;
-    if (!(*std::min_element(row_least_.begin(), row_least_.end()) > empty * mean))
-      throw Error(
-          ExitCode::run_failed,
-          "a point of the mesh has hardly any particle about it: leave the shift of the flow at its default, or "
-          "take a coarser mesh (mesh_spacing of a flow on a mesh)");
+    if (!(*std::min_element(row_least_.begin(), row_least_.end()) > empty_weight * mean)) throw hardly_any_particle();
     weighed_ = true;
   }
 

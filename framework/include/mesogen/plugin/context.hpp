@@ -14,6 +14,9 @@ namespace mesogen {
 namespace sph {
 struct SmoothingKernel;
 }
+namespace mesh {
+class DeviceMesh;
+}
 
 /// A number that may vary (Parameter::may_vary), at each particle.
 template <class Real>
@@ -68,6 +71,8 @@ class MESOGEN_EXPORT PassContext {
   /// exec::for_each and sph::pair_sum may use them. If the pass has loops of its own, say HOST_ONLY to
   /// mesogen_add_plugin. Ask for pointers in every run of the pass: a pointer of an earlier run may be out of date.
   [[nodiscard]] virtual exec::Space space() const = 0;
+  /// What a device offers a mesh beside the particles (mesh/pass_spectrum.hpp); null on the host.
+  [[nodiscard]] virtual const mesh::DeviceMesh* device_mesh() const;
   /// Number of particles of the fluid. Boundary copies follow them in storage.
   [[nodiscard]] virtual Index count() const = 0;
   /// Coordinates of the particles, m. Between two sortings they may be some spacings outside the box.

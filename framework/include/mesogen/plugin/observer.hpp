@@ -103,8 +103,9 @@ class MESOGEN_EXPORT ObserverContext {
   [[nodiscard]] virtual std::vector<double> position(int axis) const = 0;
   /// Coordinates along the particle's path, without jumps at the faces.
   [[nodiscard]] virtual std::vector<double> unwrapped(int axis) const = 0;
-  /// The same of one particle, by its place in storage: for those who follow a few at every step.
-  [[nodiscard]] virtual double unwrapped_at(int axis, std::size_t place) const = 0;
+  /// The same of some particles, by their places in storage: for those who follow a few at every step. From a device
+  /// no others are brought.
+  [[nodiscard]] virtual std::vector<double> unwrapped_at(int axis, std::span<const Index> places) const = 0;
   [[nodiscard]] virtual std::span<const std::int64_t> id() const = 0;
   /// Number of particles.
   [[nodiscard]] Index count() const { return static_cast<Index>(id().size()); }

@@ -34,11 +34,22 @@ struct NeighbourBlock {
   [[nodiscard]] int shift_at(int lane, int axis) const { return (lane < split ? shift : second_shift)[axis]; }
 };
 
+/// Some neighbours of one particle that are contiguous in storage, with the same shift: what a pair sum on a device
+/// goes by.
+struct NeighbourRun {
+  static constexpr Index longest = 255;
+
+  Index first;
+  std::uint8_t count;
+  std::int8_t shift[NeighbourBlock::most_dimensions];  ///< in cells, as in Segment
+};
+
 /// The neighbours of each particle: the cell grid as a pair pass sees it. Trivially copyable.
 ///
 /// Particles are stored by cell. A cell is a quarter of the search range long (along x) and half of it high, so that
 /// the neighbours of a particle are five short contiguous runs in storage in 2D (25 in 3D). The parts of these runs
-/// that are within reach are found once per sorting, put together to blocks, and kept. Coordinates are relative to a
+/// that are within reach are found once per sorting and kept: on the host put together to blocks, on a device as runs.
+/// Coordinates are relative to a
 /// tile (a group of cells of one row). They are small numbers, so float is accurate enough for any box size and any
 /// distance from the origin. The same offsets carry periodic images: a wrapped box needs no minimum image in the loop.
 /// Ghosts need no special treatment either: they are in cells outside the box. Wall particles are separate runs in the
@@ -54,15 +65,17 @@ struct Neighbours {
   const std::int64_t* block_begin;  ///< for each particle, index of its first block; one more at the end
   const NeighbourBlock* block;      ///< of a particle: they hold each particle within the support once, and itself
   const Real* offset[Dim];          ///< by shift of a block, from -most_shift to most_shift, m
-  Index particle_count;             ///< particles of the fluid
-  int cells[Dim];                   ///< cells inside the box
-  int padding[Dim];                 ///< layers of cells on either side of the box, for ghosts and walls
-  int reach[Dim];                   ///< largest distance of a neighbour, in cells
-  bool wrapped[Dim];                ///< true if the grid continues on the other side
-  double width[Dim];                ///< of a cell, m
-  int tile;                         ///< cells in a tile, along x
-  Real radius;                      ///< support of the kernel, m
-  Real smallest;  ///< added to the square of a distance, so that 1/r is finite for a particle and itself, m^2
+  const Index* run_begin;           ///< the same as runs, on a device: for each particle, index of its first one
+  const NeighbourRun* run;
+  Index particle_count;  ///< particles of the fluid
+  int cells[Dim];        ///< cells inside the box
+  int padding[Dim];      ///< layers of cells on either side of the box, for ghosts and walls
+  int reach[Dim];        ///< largest distance of a neighbour, in cells
+  bool wrapped[Dim];     ///< true if the grid continues on the other side
+  double width[Dim];     ///< of a cell, m
+  int tile;              ///< cells in a tile, along x
+  Real radius;           ///< support of the kernel, m
+  Real smallest;         ///< added to the square of a distance, so that 1/r is finite for a particle and itself, m^2
 
   static constexpr int most_segments_by_dimension[4] = {0, 1, 48, 240};
   static constexpr int most_segments = most_segments_by_dimension[Dim];
@@ -88,10 +101,18 @@ struct Neighbours {
     }
   }
 
-  /// Writes all runs of particles within reach of a cell to `out`, and returns their number, at most most_segments.
-  MESOGEN_HOST_DEVICE int segments(const int (&centre)[Dim], Segment<Real, Dim>* out) const {
+  /// Calls action(segment) for all runs of particles within reach of a cell, at most most_segments.
+  template <class Action>
+  MESOGEN_HOST_DEVICE void for_each_segment(const int (&centre)[Dim], const Action& action) const {
     int row[Dim];
-    return add_rows<Dim - 1>(centre, row, tile_of(centre[0]).first, out, 0);
+    visit_rows<Dim - 1>(centre, row, tile_of(centre[0]).first, action);
+  }
+
+  /// Writes these segments to `out`, and returns their number.
+  int segments(const int (&centre)[Dim], Segment<Real, Dim>* out) const {
+    int count = 0;
+    for_each_segment(centre, [&](const Segment<Real, Dim>& segment) { out[count++] = segment; });
+    return count;
   }
 
   /// The group of cells [first, last] along x that contains cell `at`. The coordinates of its particles are relative to
@@ -118,20 +139,20 @@ struct Neighbours {
 
  private:
   /// All rows within reach along this axis and those before it.
-  template <int Axis>
-  MESOGEN_HOST_DEVICE int add_rows(const int (&centre)[Dim], int (&row)[Dim], int origin, Segment<Real, Dim>* out,
-                                   int count) const {
+  template <int Axis, class Action>
+  MESOGEN_HOST_DEVICE void visit_rows(const int (&centre)[Dim], int (&row)[Dim], int origin,
+                                      const Action& action) const {
     if constexpr (Axis == 0) {
-      return add_row(centre, row, origin, out, count);
+      visit_row(centre, row, origin, action);
     } else {
       for (row[Axis] = -reach[Axis]; row[Axis] <= reach[Axis]; ++row[Axis])
-        count = add_rows<Axis - 1>(centre, row, origin, out, count);
-      return count;
+        visit_rows<Axis - 1>(centre, row, origin, action);
     }
   }
 
-  MESOGEN_HOST_DEVICE int add_row(const int (&centre)[Dim], const int (&row)[Dim], int origin, Segment<Real, Dim>* out,
-                                  int count) const {
+  template <class Action>
+  MESOGEN_HOST_DEVICE void visit_row(const int (&centre)[Dim], const int (&row)[Dim], int origin,
+                                     const Action& action) const {
     int at[Dim];
     Segment<Real, Dim> segment{};
     for (int d = 1; d < Dim; ++d) {
@@ -151,15 +172,14 @@ struct Neighbours {
       segment.offset[0] = Real(segment.shift[0] * width[0]);
       segment.begin = cell_begin[first_cell];
       segment.end = cell_end[last_cell];
-      if (segment.begin < segment.end) out[count++] = segment;
+      if (segment.begin < segment.end) action(segment);
       if (wall_begin != nullptr) {
         segment.begin = wall_begin[first_cell];
         segment.end = wall_end[last_cell];
-        if (segment.begin < segment.end) out[count++] = segment;
+        if (segment.begin < segment.end) action(segment);
       }
       from = last + 1;
     }
-    return count;
   }
 };
 

@@ -99,17 +99,28 @@ class Pairs {
   Pairs(const Neighbours<Real, Dim>& neighbours, const Kernel& kernel) : neighbours_(neighbours), kernel_(kernel) {}
 
   /// Calls action(pair) for every pair (i, j) within the support, (i, i) included, and for some pairs beyond it.
+  ///
+  /// One loop over all neighbours, and not a loop over runs around a loop over the neighbours of a run: threads of a
+  /// warp have runs of different lengths, and would wait for the longest at the end of each.
   template <class Action>
   MESOGEN_HOST_DEVICE void visit(Index i, const Action& action) const {
-    int at[Dim];
-    neighbours_.cell_coordinates(neighbours_.cell_of[i], at);
-    Segment<Real, Dim> segment[Neighbours<Real, Dim>::most_segments];
-    const int count = neighbours_.segments(at, segment);
-    for (int s = 0; s < count; ++s) {
-      Real position[Dim];
-      for (int d = 0; d < Dim; ++d) position[d] = neighbours_.local[d][i] - segment[s].offset[d];
-      for (Index j = segment[s].begin; j < segment[s].end; ++j)
-        action(Pair<Real, Dim, Real, Kernel>(neighbours_, kernel_, {j}, position, neighbours_.smallest));
+    Index run = neighbours_.run_begin[i];
+    const Index last = neighbours_.run_begin[i + 1];
+    Real own[Dim];
+    for (int d = 0; d < Dim; ++d) own[d] = neighbours_.local[d][i];
+    Real position[Dim];
+    Index j = 0;
+    Index end = 0;
+    while (true) {
+      if (j == end) {
+        if (run == last) return;
+        const NeighbourRun now = neighbours_.run[run++];
+        for (int d = 0; d < Dim; ++d) position[d] = own[d] - Real(now.shift[d] * neighbours_.width[d]);
+        j = now.first;
+        end = now.first + now.count;
+      }
+      action(Pair<Real, Dim, Real, Kernel>(neighbours_, kernel_, {j}, position, neighbours_.smallest));
+      ++j;
     }
   }
 #else

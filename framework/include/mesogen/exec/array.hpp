@@ -7,7 +7,7 @@
 #include <span>
 #include <type_traits>
 
-#include "exec/buffer.hpp"
+#include "mesogen/exec/buffer.hpp"
 
 namespace mesogen::exec {
 

@@ -2,7 +2,7 @@
 
 #include <cstddef>
 
-#include "exec/device_memory.hpp"
+#include "mesogen/exec/device_memory.hpp"
 #include "mesogen/export.hpp"
 
 namespace mesogen::exec {
