@@ -7,7 +7,8 @@ Writes OUTPUT/speed.csv and puts the tables into OUTPUT.md, between its markers.
 (scripts/setup all); without PySPH its rows are left out, without a CUDA device those of the last that there was
 stay. Some 12 minutes on two free cores. --quick, one minute,
 tells whether all works and is too rough to be quoted; that and --only print their tables and write nothing. --tables
-makes the page's tables anew of the CSV that is there.
+makes the page's tables anew of the CSV that is there. --device-results OUT takes the tables of a device from the folder
+that `scripts/device OUT` wrote, on this machine or on another one, and leaves all other tables.
 """
 
 import argparse
@@ -19,6 +20,8 @@ import sys
 import textwrap
 import time
 
+import device_figures
+from device_figures import device_steps, origin_figures, share_figures, time_figures
 from speed_runs import (PROJECT, best_of, call, device_name, device_seconds, instruction_set, measure_passes,
                         peer_seconds, run_paper, tell)
 from speed_tables import Figure, markdown, put_into, read_csv, row, write_csv
@@ -26,7 +29,8 @@ from speed_tables import Figure, markdown, put_into, read_csv, row, write_csv
 KERNELS = ["quintic", "wendland_c2", "wendland_c4", "wendland_c6"]
 CORNERS = {"machine": "machine", "blocks": "precision", "passes": "pass", "kernels": "ns a pair",
            "sizes": "particles", "threads": "threads", "variants": "variant", "shares": "part of a step",
-           "peers": "program", "device": "particles on the device", "device shares": "part of a step on the device"}
+           "peers": "program", "device": "particles on the device", "device shares": "part of a step on the device",
+           "device roofline": "pass on the device"}
 MOST_LOAD = 0.2  # cores that are busy before measuring begins
 PRECISIONS = ["single", "double"]
 MACHINE = "machine of this run"
@@ -180,18 +184,13 @@ def device(options, effort):
     tell(f"device: {name}")
     figures = []
     for n in across:
-        steps = int(min(4000, max(40, budget / n**2)))
         for precision in PRECISIONS if n <= 1000 else PRECISIONS[:1]:
-            seconds = min(device_seconds(options.mesogen, n, steps, [f"run.precision={precision}"])
+            seconds = min(device_seconds(options.mesogen, n, device_steps(budget, n), [f"run.precision={precision}"])
                           for _ in range(rounds if n <= 1000 else 1))
-            figures += row("device", f"{n * n:,}", {f"ms a step, {precision}": 1e3 * seconds,
-                                                    f"million particle-steps/s, {precision}":
-                                                    millions_a_second(n, seconds)})
-        figures += row("device", f"{n * n:,}", {"device": f"{name}, {datetime.date.today().isoformat()}"})
-    shares = run_paper(options.mesogen, across[0], 200, core_count(), ["run.device=cuda"]).shares
-    for name, seconds in sorted(shares.items(), key=lambda share: -share[1]):
-        figures += row("device shares", name, {"ms a step, each waited for": 1e3 * seconds})
-    return figures
+            figures += time_figures(n, precision, seconds)
+        figures += origin_figures(n, name)
+    return figures + share_figures(across[0], run_paper(options.mesogen, across[0], 200, core_count(),
+                                                        ["run.device=cuda"]).shares)
 
 
 def machine(options, load):
@@ -223,12 +222,17 @@ def main():
     parser.add_argument("--quick", action="store_true", help="a rough look; written to the terminal alone")
     parser.add_argument("--only", nargs="+", choices=list(MEASURES), default=list(MEASURES))
     parser.add_argument("--tables", action="store_true", help="make the tables of the CSV that is there")
+    parser.add_argument("--device-results", metavar="OUT",
+                        help="take the tables of a device from the folder that `scripts/device OUT` wrote")
     parser.add_argument("-o", "--output", default=PROJECT / "docs/performance", type=pathlib.Path)
     options = parser.parse_args()
     options.mesogen = (options.build / "bin/mesogen").resolve()
     file, page = options.output / "speed.csv", options.output.with_suffix(".md")
     if options.tables:
         figures = read_csv(file)
+    elif options.device_results is not None:
+        figures = [figure for figure in read_csv(file) if figure.table not in device_figures.TABLES]
+        figures += device_figures.read_results(options.device_results)
     else:
         load = busy_cores()
         if load > MOST_LOAD:
@@ -240,7 +244,7 @@ def main():
         figures += row(MACHINE, "machine", {"": machine(options, load) + "."})
         if "device" in options.only and not any(figure.table == "device" for figure in figures) and file.exists():
             # Of the machine that had one: its rows say which, and when.
-            figures += [figure for figure in read_csv(file) if figure.table in ("device", "device shares")]
+            figures += [figure for figure in read_csv(file) if figure.table in device_figures.TABLES]
     blocks = tables(figures)
     if options.quick or options.only != list(MEASURES):
         for name, block in blocks.items():

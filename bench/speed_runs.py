@@ -89,21 +89,28 @@ def device_name(mesogen):
         return found.group(1) if found else None
 
 
+def told_seconds(log):
+    """Wall time of a step, s, and the number of steps, as a run's log tells them."""
+    found = re.search(r"(\d+) steps in \S+ s: (\S+) ms a step", log)
+    if found is None:
+        sys.exit(f"the log of a run tells no time of a step:\n{log}")
+    return 1e-3 * float(found[2]), int(found[1])
+
+
 def device_seconds(mesogen, across, steps, settings):
     """Wall time of a step on the device, without a trace, which would wait for each piece of work; s. Two runs, so
     that what a run begins and ends with does not count."""
     def stepping(number):
-        import mesogen as results
         with tempfile.TemporaryDirectory(prefix="mesogen-") as folder:
             folder = pathlib.Path(folder)
             (folder / "case.toml").write_text(paper_case(), encoding="utf-8")
             command = [mesogen, "run", "case.toml", "--quiet", "--output", "out"]
             for setting in (f"domain.size=[{across * SPACING}, {across * SPACING}]", f"time.step={STEP}",
-                            f"time.end={number * STEP}", "run.device=cuda", *settings):
+                            f"time.end={number * STEP}", "run.device=cuda", 'output.fields=["position"]', *settings):
                 command += ["--set", setting]
             call(command, folder)
-            with results.open(folder / "out") as run:
-                return run.cost.wall_seconds
+            seconds, done = told_seconds((folder / "out/run.log").read_text(encoding="utf-8"))
+            return seconds * done
     few = max(2, steps // 10)
     return (stepping(few + steps) - stepping(few)) / steps
 
@@ -123,9 +130,10 @@ def best_of(rounds, variants, measure):
     return best
 
 
-def measure_passes(program, across, repetitions, seconds):
-    """What Google Benchmark counted, the best of the repetitions: {name: counters}."""
+def measure_passes(program, across, repetitions, seconds, only="."):
+    """What Google Benchmark counted, the best of the repetitions: {name: counters}. `only`: a regular expression."""
     told = json.loads(call([program, f"--across={across}", "--benchmark_format=json", f"--benchmark_min_time={seconds}",
+                            f"--benchmark_filter={only}",
                             f"--benchmark_repetitions={repetitions}", "--benchmark_enable_random_interleaving=true"],
                            None, OMP_NUM_THREADS="1"))
     best = {}

@@ -7,8 +7,8 @@ import sys
 import unittest
 
 FOLDER = pathlib.Path(__file__).resolve().parent
-SCRIPTS = sorted(file for place in ("", "peers", "reference") for file in (FOLDER / place).glob("*.py")
-                 if not file.name.startswith("test_"))
+SCRIPTS = sorted(file for place in ("", "device", "peers", "reference") for file in (FOLDER / place).glob("*.py")
+                 if not file.name.startswith(("test_", "__")))
 
 
 class Scripts(unittest.TestCase):
