@@ -1,9 +1,11 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <string>
 
 #include "backend/host_loops.hpp"
+#include "case_text.hpp"
 #include "exec/emulated_memory.hpp"
 #include "mesh/emulated_mesh.hpp"
 #include "run/setup.hpp"
@@ -41,5 +43,12 @@ class EmulatedDevice final : public exec::BackendImpl {
   exec::HostCellLoops cells_;
   mesh::EmulatedMesh mesh_;
 };
+
+/// A run that may be put on such a device.
+inline std::unique_ptr<Setup> put_together(const CaseText& text, const PluginRegistry& registry,
+                                           const SetupAdditions& additions) {
+  Problems problems;
+  return set_up(read_case_text(text.text(), "test.toml", {}, problems), registry, problems, additions);
+}
 
 }  // namespace mesogen::test
