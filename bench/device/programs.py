@@ -12,7 +12,8 @@ from scenes import command_of, scene
 from verdicts import FAIL, NOT_RUN, PASS, NotRun
 
 NO_DEVICE = 77  # exit code of device_passes
-QUICK_TESTS = ["OnCuda.test_observers_see_the_newest_values", "OnCuda.test_replay_needs_no_device"]
+QUICK_TESTS = ["OnCuda.test_observers_see_the_newest_values", "OnCuda.test_replay_needs_no_device",
+               "OnCuda.test_info_tells_who_has_code"]
 FOUND = 86  # exit code that compute-sanitizer is asked for where it finds something
 
 

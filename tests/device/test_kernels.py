@@ -69,7 +69,6 @@ class Kernels(unittest.TestCase):
 
     def test_reports_are_there(self):
         self.assertGreater(len(self.all), 200)
-        self.assertEqual({kernel.architecture for kernel in self.all} & {"sm_80", "sm_90"}, {"sm_80", "sm_90"})
         self.assertTrue(any(PAIR_SUM.search(kernel.name) for kernel in self.all))
 
     def test_nothing_lies_in_local_memory(self):

@@ -135,6 +135,8 @@ class CudaCellLoops final : public exec::CellLoopsImpl {
 
   Index running_sums(Index* values, Index count) const override {
     std::size_t bytes = 0;
+    // The last is not added to anything, but read.
+    check_cuda(cudaMemsetAsync(values + count, 0, sizeof(Index), stream()), "adding up");
     check_cuda(cub::DeviceScan::ExclusiveSum(nullptr, bytes, values, values, count + 1, stream()), "adding up");
     check_cuda(cub::DeviceScan::ExclusiveSum(room(scratch_, bytes), bytes, values, values, count + 1, stream()),
                "adding up");
@@ -234,7 +236,7 @@ CudaBackend on_device() {
   double* device = nullptr;
   double* pinned = nullptr;
   check_cuda(cudaMalloc(&device, exec::Reductions::size * sizeof(double)), "room for reductions");
-  check_cuda(cudaMemset(device, 0, exec::Reductions::size * sizeof(double)), "room for reductions");
+  check_cuda(cudaMemsetAsync(device, 0, exec::Reductions::size * sizeof(double), stream), "room for reductions");
   check_cuda(cudaMallocHost(&pinned, exec::Reductions::size * sizeof(double)), "room for reductions");
   return {new OnCuda({stream, true}, properties, device, pinned), {}};
 }

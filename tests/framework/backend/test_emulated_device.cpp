@@ -201,7 +201,7 @@ TEST(EmulatedDevice, AStepOnAMeshCopiesAFewNumbers) {
   EXPECT_LT(*std::ranges::min_element(copied), 4'000U);
 }
 
-// Its flow has loops of its own, which go over what the host has.
+// All but the flow is on the device.
 TEST(EmulatedDevice, RunsAFlowThatComputesOnTheHost) {
   for (const char* const boundary : {"periodic_ghosts", "periodic_wrap"}) {
     const CaseText text = observed(mesh_scene("single", boundary));
