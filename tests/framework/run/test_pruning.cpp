@@ -52,8 +52,8 @@ TEST(Pruning, WithoutFlowNeighboursAreBuiltOnceAndNothingMoves) {
                              {"framework: order_tensor_laplacian", 1 + steps},   // at the start, then at each midpoint
                              {"framework: values beyond the faces", 2 + steps},  // the volume, then Q each time
                              {"framework: neighbours, sorting", 1},
-                             {"framework: integration", 2 * steps},  // to the midpoint, and on
-                             {"framework: guard", steps},
+                             {"framework: integration", 3 * steps},  // to the midpoint, on, and what it found
+                             {"framework: guard", 2 * steps},        // looks, and reads what it found
                              {"physics.nematic: rate of the order tensor", 1 + steps},
                              {"physics.nematic: diffusion of order_tensor", 1 + steps}}));
   EXPECT_EQ(run.path(0), x);
