@@ -2,6 +2,7 @@
 
 #include <dlfcn.h>
 
+#include <cstdlib>
 #include <filesystem>
 #include <string_view>
 
@@ -27,6 +28,12 @@ CudaBackend cuda_backend() {
   if (const std::string problem = cuda_library_problem(*found); !problem.empty())
     return {nullptr, file.string() + ": " + problem};
   return *found->backend();
+}
+
+CudaOnHost cuda_on_host() {
+  const char* const value = std::getenv("MESOGEN_CUDA_ON_HOST");
+  const std::string_view wanted = value == nullptr ? "" : value;
+  return wanted == "1" ? CudaOnHost::where_asked : wanted == "everywhere" ? CudaOnHost::everywhere : CudaOnHost::no;
 }
 
 std::string cuda_library_problem(const CudaLibrary& library) {

@@ -69,25 +69,29 @@ class Counted {
   [[nodiscard]] double blocks() const { return blocks_ * sizeof(NeighbourBlock); }
 
   [[nodiscard]] double fields() const {
-    double numbers = 0.0;  // a particle
-    bool masters = false;
+    double numbers = 0.0;                      // a particle
+    std::set<std::pair<int, double>> scratch;  // see Field::Scratch
+    const auto keep_numbers = [&](int components, double number) {
+      numbers += components * number;
+      scratch.emplace(components, number);
+    };
     const auto keep = [&](int components, bool integrated) {
-      numbers += components * (number_ == exact ? exact : single + (integrated ? exact : 0.0));
-      masters = masters || integrated;
+      keep_numbers(components, number_);
+      if (integrated && number_ != exact) keep_numbers(components, exact);
     };
     for (const PlannedField& field : planned_fields(setup_)) keep(field.components, field.integrated);
     // What is predicted is kept as it was at the start of a step too; see Integrator.
     if (setup_.source.time.scheme == "midpoint")
       for (const auto& [name, entry] : setup_.catalogue.all())
-        if (entry.declaration.advance == Advance::predicted) numbers += setup_.catalogue.components(name) * exact;
+        if (entry.declaration.advance == Advance::predicted) keep_numbers(setup_.catalogue.components(name), exact);
     for (const auto& [name, entry] : setup_.catalogue.all())
-      if (entry.declaration.advance == Advance::by_passes) numbers += setup_.catalogue.components(name) * exact;
+      if (entry.declaration.advance == Advance::by_passes) keep_numbers(setup_.catalogue.components(name), exact);
     for (const LinearTerms& terms : setup_.graph->staged())  // see Stages
       keep((terms.diffusion.any() ? 3 : 2) * setup_.catalogue.components(terms.field), false);
     for (const std::string& name : derived()) keep(setup_.catalogue.components(name), false);
-    const double scratch = (number_ == exact || masters ? exact : 0.0) + (number_ == single ? single : 0.0);
+    for (const auto& [components, number] : scratch) numbers += components * number;
     // Room is taken for a sixteenth more than there is.
-    return (particles_ + ghosts_ + walls_) * numbers * 17.0 / 16.0 + particles_ * scratch;
+    return (particles_ + ghosts_ + walls_) * numbers * 17.0 / 16.0;
   }
 
   /// Of derivatives where nothing moves, and of stages; see sph/fixed_weights.hpp.

@@ -84,7 +84,7 @@ const exec::Array<Index>& Neighbourhood::reorder(Particles& particles) {
 
 void Neighbourhood::order(Particles& particles) {
   sort_particles(particles);
-  find_cells();
+  find_cells(sorted_position_);
   build_ghosts();
   neighbours_found_ = false;
 }
@@ -92,7 +92,7 @@ void Neighbourhood::order(Particles& particles) {
 void Neighbourhood::restore(const std::array<std::vector<double>, 3>& sorted_position) {
   ++version_;
   for (int d = 0; d < scene_.dimension; ++d) sorted_position_[d].assign(sorted_position[d]);
-  find_cells();
+  find_cells(sorted_position_);
   build_ghosts();
   neighbours_found_ = false;
 }
@@ -186,31 +186,29 @@ void Neighbourhood::sort_particles(Particles& particles) {
   const Index count = particles.count();
   keep_inside(particles);
   const exec::StorageLoops& loops = backend_.storage();
-  for (int d = 0; d < scene_.dimension; ++d) {
-    sorted_position_[d].resize_for_overwrite(particles.id.size());
-    loops.copy(particles.position[d].device(), sorted_position_[d].device(Access::write), count);
-  }
-  find_cells();
+  find_cells(particles.position);
   order_.resize_for_overwrite(particles.id.size());
   backend_.cells().order(cell_of_.device(), particles.id.device(), count, grid_.inside_count(),
                          order_.device(Access::write));
-  const auto permute = [&](auto& values, auto& scratch) {
+  const auto permute = [&]<class T>(exec::Array<T>& values, exec::Array<T>& scratch) {
     scratch.resize_for_overwrite(values.size());
-    loops.permute(values.device(Access::read_write), order_.device(), count, scratch.device(Access::write));
+    loops.gather(values.device(), order_.device(), count, scratch.device(Access::write));
+    values.swap(scratch);
   };
   permute(particles.id, scratch_.id);
   for (int d = 0; d < scene_.dimension; ++d) {
     permute(particles.position[d], scratch_.position);
     permute(particles.images[d], scratch_.images);
-    permute(sorted_position_[d], scratch_.position);
+    sorted_position_[d].resize_for_overwrite(particles.id.size());
+    loops.copy(particles.position[d].device(), sorted_position_[d].device(Access::write), count);
   }
   ++sortings_;
 }
 
-void Neighbourhood::find_cells() {
-  const auto count = static_cast<Index>(sorted_position_[0].size());
-  cell_of_.resize_for_overwrite(sorted_position_[0].size());
-  backend_.cells().find_cells(grid_, exec::pointers(sorted_position_, device).data(), count,
+void Neighbourhood::find_cells(const exec::AxisArrays<double>& position) {
+  const std::size_t count = position[0].size();
+  cell_of_.resize_for_overwrite(count);
+  backend_.cells().find_cells(grid_, exec::pointers(position, device).data(), static_cast<Index>(count),
                               cell_of_.device(Access::write));
 }
 
@@ -247,6 +245,8 @@ bool Neighbourhood::place(const exec::AxisArrays<double>& position, bool looks, 
     arguments.sorted[d] = sorted_position_[d].device();
     arguments.local[d] = local[d].device(Access::read_write);  // but for those behind the last
   }
+  arguments.count = static_cast<Index>(cell_of_.size());
+  arguments.cell = cell_of_.device();
   arguments.cell_begin = cell_begin_.device();
   arguments.cell_end = cell_end_.device();
   arguments.looks = looks;

@@ -85,7 +85,7 @@ class MESOGEN_EXPORT Neighbourhood {
   void order(Particles& particles);
   void keep_inside(Particles& particles);
   void sort_particles(Particles& particles);
-  void find_cells();
+  void find_cells(const exec::AxisArrays<double>& position);
   void build_ghosts();
   void make_room();
   void place_mirrors();

@@ -35,6 +35,8 @@ class MESOGEN_EXPORT ParticleOrder {
     farthest_ = farthest;
     ++version_;
   }
+  /// To be called when it becomes known how far that is, if it was not at once.
+  void note_farthest(double farthest) { farthest_ = farthest; }
   /// Raised whenever particles have moved or changed places in storage.
   [[nodiscard]] std::uint64_t version() const { return version_; }
   /// Are neighbours up to date with the positions?

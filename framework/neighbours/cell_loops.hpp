@@ -19,6 +19,8 @@ struct PlaceArguments {
   const double* position[3];
   const double* sorted[3];  ///< where particles were sorted
   Real* local[3];
+  Index count;        ///< of particles
+  const Index* cell;  ///< of each particle
   const Index* cell_begin;
   const Index* cell_end;
   bool looks;              ///< whether a particle has strayed

@@ -38,32 +38,48 @@ struct FindRanges {
   }
 };
 
-/// Places the particles of a cell; where somebody looks, it raises if one has strayed too far.
+/// Places particles; where somebody looks, it raises if one has strayed too far. On the host all particles of a cell,
+/// on a device one, so that threads which run together read numbers that lie together.
 template <class Real>
 struct PlaceParticles {
   CellGrid grid;
   PlaceArguments<Real> p;
 
-  MESOGEN_HOST_DEVICE void operator()(Index c) const {
+#ifdef __CUDACC__
+  [[nodiscard]] Index count() const { return p.count; }
+#else
+  [[nodiscard]] Index count() const { return grid.inside_count(); }
+#endif
+  MESOGEN_HOST_DEVICE void operator()(Index n) const {
     Maxima<1> nobody_looks{};
-    place<false>(c, nobody_looks);
+    place<false>(n, nobody_looks);
   }
-  MESOGEN_HOST_DEVICE void operator()(Index c, Maxima<1>& strayed) const { place<true>(c, strayed); }
+  MESOGEN_HOST_DEVICE void operator()(Index n, Maxima<1>& strayed) const { place<true>(n, strayed); }
 
  private:
   template <bool Looks>
-  MESOGEN_HOST_DEVICE void place(Index c, Maxima<1>& strayed) const {
-    const CellGrid::Cell cell = grid.inside(c);
+  MESOGEN_HOST_DEVICE void place(Index n, Maxima<1>& strayed) const {
+#ifdef __CUDACC__
+    const CellGrid::Cell cell = grid.inside(p.cell[n]);
+    const Index first = n;
+    const Index end = n + 1;
+#else
+    const CellGrid::Cell cell = grid.inside(n);
     const int index = grid.padded_index(cell);
+    const Index first = p.cell_begin[index];
+    const Index end = p.cell_end[index];
+#endif
     double origin[3] = {};
-    for_axes(grid.dimension(), [&](int d) { origin[d] = grid.tile_origin(d, cell[d]); });
-    for (Index i = p.cell_begin[index]; i < p.cell_end[index]; ++i) {
+    for_axes(
+        grid.dimension(), [&](auto d) __attribute__((always_inline)) { origin[d] = grid.tile_origin(d, cell[d]); });
+    for (Index i = first; i < end; ++i) {
       double moved = 0.0;
-      for_axes(grid.dimension(), [&](int d) {
-        const double at = p.position[d][i];
-        p.local[d][i] = Real(at - origin[d]);
-        if constexpr (Looks) moved += (at - p.sorted[d][i]) * (at - p.sorted[d][i]);
-      });
+      for_axes(
+          grid.dimension(), [&](auto d) __attribute__((always_inline)) {
+            const double at = p.position[d][i];
+            p.local[d][i] = Real(at - origin[d]);
+            if constexpr (Looks) moved += (at - p.sorted[d][i]) * (at - p.sorted[d][i]);
+          });
       // Written so that NaN counts as having strayed; the guard after the step names it.
       if (Looks && !(moved <= p.farthest_square)) strayed.raise(0, 1.0);
     }
@@ -120,11 +136,11 @@ class CellLoopsImpl : public CellLoops {
     constexpr const char* what = "placing particles";
     const PlaceParticles<Real> place{grid, arguments};
     if (arguments.looks) {
-      const Reduction strayed = find_largest<1>(space_, reductions_, grid.inside_count(), place, what);
+      const Reduction strayed = find_largest<1>(space_, reductions_, place.count(), place, what);
       reductions_.wait(space_);
       if (reductions_.found(strayed) > 0.0) return false;
     } else {
-      for_each(space_, grid.inside_count(), place, what);
+      for_each(space_, place.count(), place, what);
     }
     for_each(space_, arguments.walls.count, PlaceWalls<Real>{grid.dimension(), arguments}, "placing walls");
     for_each(space_, arguments.ghosts.count, PlaceGhosts<Real>{grid.dimension(), arguments}, "placing ghosts");

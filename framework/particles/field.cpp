@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <type_traits>
 
 #include "particles/field_loops.hpp"
 #include "particles/storage_loops.hpp"
@@ -79,17 +80,34 @@ void Field::exchange_master(Field& other) {
   ++other.version;
 }
 
+template <class T>
+exec::Array<T>& Field::Scratch::room(int components, std::size_t size) {
+  auto& rooms = [&]() -> auto& {
+    if constexpr (std::is_same_v<T, double>) {
+      return exact_;
+    } else {
+      return single_;
+    }
+  }
+  ();
+  exec::Array<T>& room = rooms.try_emplace(components, memory_).first->second;
+  if (room.size() != size) room.resize(size);
+  return room;
+}
+
 void Field::permute(const exec::Array<Index>& order, Scratch& scratch) {
   const auto count = static_cast<Index>(order.size());
-  const auto permuted = [&](auto& values, auto& room) {
+  const auto permuted = [&]<class T>(exec::Array<T>& values) {
     if (values.empty()) return;
-    room.resize_for_overwrite(order.size());
-    auto* const all = values.device(exec::Access::read_write);
+    exec::Array<T>& room = scratch.room<T>(components_, values.size());
+    const T* const from = std::as_const(values).device();
+    T* const to = room.device(exec::Access::read_write);  // what lies behind the particles stays
     for (int c = 0; c < components_; ++c)
-      backend_.storage().permute(all + c * stride_, order.device(), count, room.device(exec::Access::write));
+      backend_.storage().gather(from + c * stride_, order.device(), count, to + c * stride_);
+    values.swap(room);
   };
-  permuted(single_, scratch.single);
-  permuted(double_, scratch.exact);
+  permuted(single_);
+  permuted(double_);
 }
 
 Field& FieldStore::add(std::unique_ptr<Field> field) {

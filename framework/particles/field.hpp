@@ -55,14 +55,21 @@ class MESOGEN_EXPORT Field {
   /// either are out of date then.
   void exchange_master(Field& other);
 
-  /// Room that permuting a field takes; one for all of them.
-  struct Scratch {
-    explicit Scratch(exec::DeviceMemory* memory = nullptr) : exact(memory), single(memory) {}
-    exec::Array<double> exact;
-    exec::Array<float> single;
+  /// Room for the values of a field in their new order. A field leaves its old values there, which are room for the
+  /// next field with as many components.
+  class Scratch {
+   public:
+    explicit Scratch(exec::DeviceMemory* memory = nullptr) : memory_(memory) {}
+    template <class T>
+    exec::Array<T>& room(int components, std::size_t size);
+
+   private:
+    exec::DeviceMemory* memory_;
+    std::map<int, exec::Array<double>> exact_;  // by number of components
+    std::map<int, exec::Array<float>> single_;
   };
   /// New place of every particle: place n takes what stood at order[n]. No particle gets another value, so the version
-  /// stays.
+  /// stays. Values of ghosts and walls are lost.
   void permute(const exec::Array<Index>& order, Scratch& scratch);
 
   /// Every write raises the version; ghosts are of version `refreshed`, and walls of the positions `refreshed_at`.

@@ -22,11 +22,11 @@ class StorageLoops {
   StorageLoops& operator=(const StorageLoops&) = delete;
   virtual ~StorageLoops() = default;
 
-  /// Place n takes what stood at order[n]. `scratch` has room for `count` values.
-  virtual void permute(float* values, const Index* order, Index count, float* scratch) const = 0;
-  virtual void permute(double* values, const Index* order, Index count, double* scratch) const = 0;
-  virtual void permute(std::int32_t* values, const Index* order, Index count, std::int32_t* scratch) const = 0;
-  virtual void permute(std::int64_t* values, const Index* order, Index count, std::int64_t* scratch) const = 0;
+  /// to[n] = from[order[n]] for `count` places n.
+  virtual void gather(const float* from, const Index* order, Index count, float* to) const = 0;
+  virtual void gather(const double* from, const Index* order, Index count, double* to) const = 0;
+  virtual void gather(const std::int32_t* from, const Index* order, Index count, std::int32_t* to) const = 0;
+  virtual void gather(const std::int64_t* from, const Index* order, Index count, std::int64_t* to) const = 0;
   /// Writes the coordinates of the particles at these places.
   virtual void gather_unwrapped(const UnwrappedAlong& along, const Index* places, Index count, double* to) const = 0;
   virtual void copy(const double* from, double* to, Index count) const = 0;

@@ -36,17 +36,17 @@ class StorageLoopsImpl final : public StorageLoops {
  public:
   explicit StorageLoopsImpl(const Space& space) : space_(space) {}
 
-  void permute(float* values, const Index* order, Index count, float* scratch) const override {
-    permuted(values, order, count, scratch);
+  void gather(const float* from, const Index* order, Index count, float* to) const override {
+    gathered(from, order, count, to);
   }
-  void permute(double* values, const Index* order, Index count, double* scratch) const override {
-    permuted(values, order, count, scratch);
+  void gather(const double* from, const Index* order, Index count, double* to) const override {
+    gathered(from, order, count, to);
   }
-  void permute(std::int32_t* values, const Index* order, Index count, std::int32_t* scratch) const override {
-    permuted(values, order, count, scratch);
+  void gather(const std::int32_t* from, const Index* order, Index count, std::int32_t* to) const override {
+    gathered(from, order, count, to);
   }
-  void permute(std::int64_t* values, const Index* order, Index count, std::int64_t* scratch) const override {
-    permuted(values, order, count, scratch);
+  void gather(const std::int64_t* from, const Index* order, Index count, std::int64_t* to) const override {
+    gathered(from, order, count, to);
   }
   void gather_unwrapped(const UnwrappedAlong& along, const Index* places, Index count, double* to) const override {
     for_each(space_, count, GatherUnwrapped{along, places, to}, "paths of particles");
@@ -57,9 +57,8 @@ class StorageLoopsImpl final : public StorageLoops {
 
  private:
   template <class T>
-  void permuted(T* values, const Index* order, Index count, T* scratch) const {
-    for_each(space_, count, Gather<T>{values, order, scratch}, "putting particles in order");
-    for_each(space_, count, Copy<T>{scratch, values}, "putting particles in order");
+  void gathered(const T* from, const Index* order, Index count, T* to) const {
+    for_each(space_, count, Gather<T>{from, order, to}, "putting particles in order");
   }
 
   Space space_;

@@ -21,8 +21,9 @@ std::string without_code(const Case& source, const PluginRegistry& registry) {
 
 BackendChoice choose_backend(const Case& source, const PluginRegistry& registry) {
   BackendChoice choice;
-  if (source.run.device == "cpu") return choice;
-  const bool automatic = source.run.device == "auto";
+  const bool everywhere = cuda_on_host() == CudaOnHost::everywhere;
+  if (source.run.device == "cpu" && !everywhere) return choice;
+  const bool automatic = source.run.device != "cuda";
   if (automatic) choice.why_on_host = without_code(source, registry);
   if (!choice.why_on_host.empty()) return choice;
   const CudaBackend cuda = cuda_backend();

@@ -188,7 +188,10 @@ void Integrator::correct(double step_size) {
 Motion Integrator::motion() {
   const auto root = [&](exec::Reduction found) { return std::sqrt(state_.backend.found(found)); };
   Motion motion;
-  if (farthest_) motion.farthest = root(*farthest_);
+  if (farthest_) {
+    motion.farthest = root(*farthest_);
+    state_.order.note_farthest(motion.farthest);
+  }
   motion.finite = !farthest_ || std::isfinite(motion.farthest);
   for (Advanced& one : advanced_) {
     one.largest = root(one.found);

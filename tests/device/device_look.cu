@@ -143,6 +143,63 @@ void measure_launches(Members& members) {
   members.number("launch_and_wait_us", 1e6 * apart / launches);
 }
 
+/// A kernel as short as one over few particles; `turns` makes two launches differ, as those of two steps do.
+__global__ void work_shortly(float* value, int turns) {
+  float all = *value;
+  for (int n = 0; n < turns; ++n) all = all * 0.5F + 1.0F;
+  *value = all;
+}
+
+/// The kernels of one step, three ways: started one by one; gathered to a graph that is brought up to date each time,
+/// as the passes of a step would need, because their arguments (step size, time) change; and that graph once more as
+/// it is. A step waits once, at its end. A graph pays where the second is shorter than the first.
+void measure_steps(Members& members) {
+  constexpr int kernels = 30;
+  constexpr int steps = 200;
+  cudaStream_t stream = nullptr;
+  check(cudaStreamCreateWithFlags(&stream, cudaStreamNonBlocking), "making a stream");
+  float* value = nullptr;
+  check(cudaMalloc(&value, sizeof(float)), "taking memory of the device");
+  check(cudaMemsetAsync(value, 0, sizeof(float), stream), "zeroing memory of the device");
+  const auto start = [&](int step) {
+    for (int n = 0; n < kernels; ++n) work_shortly<<<1, 32, 0, stream>>>(value, 100 + step % 2);
+    check(cudaPeekAtLastError(), "starting the kernels of a step");
+  };
+  const auto gather = [&](int step) {
+    cudaGraph_t graph = nullptr;
+    check(cudaStreamBeginCapture(stream, cudaStreamCaptureModeRelaxed), "gathering kernels");
+    start(step);
+    check(cudaStreamEndCapture(stream, &graph), "gathering kernels");
+    return graph;
+  };
+  cudaGraphExec_t ready = nullptr;
+  cudaGraph_t first = gather(0);
+  check(cudaGraphInstantiate(&ready, first, 0), "making a graph");
+  check(cudaGraphDestroy(first), "giving a graph back");
+  const auto measure = [&](const char* name, const auto& begin_step) {
+    const double seconds = seconds_of([&] {
+      for (int step = 0; step < steps; ++step) {
+        begin_step(step);
+        check(cudaStreamSynchronize(stream), "waiting for a step");
+      }
+    });
+    members.number(name, 1e6 * seconds / steps);
+  };
+  measure("step_of_30_kernels_us", start);
+  measure("step_of_30_kernels_in_a_graph_us", [&](int step) {
+    cudaGraph_t graph = gather(step);
+    cudaGraphExecUpdateResultInfo result{};
+    check(cudaGraphExecUpdate(ready, graph, &result), "bringing a graph up to date");
+    check(cudaGraphDestroy(graph), "giving a graph back");
+    check(cudaGraphLaunch(ready, stream), "starting a graph");
+  });
+  measure("step_of_30_kernels_in_an_unchanged_graph_us",
+          [&](int /*step*/) { check(cudaGraphLaunch(ready, stream), "starting a graph"); });
+  check(cudaGraphExecDestroy(ready), "giving a graph back");
+  check(cudaFree(value), "giving memory back");
+  check(cudaStreamDestroy(stream), "giving a stream back");
+}
+
 void emulate(Members& members) {
   members.text("device", "the host, for a test");
   constexpr std::size_t bytes = 32UL << 20;
@@ -174,6 +231,7 @@ int main() {
   describe(members);
   measure_copies(members);
   measure_launches(members);
+  measure_steps(members);
   members.print();
   return 0;
 }

@@ -4,7 +4,6 @@
 #include <cuda_runtime.h>
 
 #include <cstdlib>
-#include <cstring>
 #include <cub/device/device_radix_sort.cuh>
 #include <cub/device/device_scan.cuh>
 #include <limits>
@@ -242,8 +241,7 @@ CudaBackend on_device() {
 }
 
 CudaBackend make() {
-  const char* const on_host_wanted = std::getenv(cuda_on_host_variable);
-  if (on_host_wanted != nullptr && std::strcmp(on_host_wanted, "1") == 0) return on_host();
+  if (cuda_on_host() != CudaOnHost::no) return on_host();
   try {
     return on_device();
   } catch (const Error& error) {

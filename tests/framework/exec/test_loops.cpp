@@ -167,8 +167,8 @@ TEST(CellLoops, OrderAndRangesAgree) {
     const auto b = static_cast<std::size_t>(order[n]);
     EXPECT_LT(std::pair(cell[a], id[a]), std::pair(cell[b], id[b]));
   }
-  std::vector<Index> scratch(count);
-  Backend::host().storage().permute(cell.data(), order.data(), count, scratch.data());
+  const std::vector<Index> unsorted = cell;
+  Backend::host().storage().gather(unsorted.data(), order.data(), count, cell.data());
   std::vector<Index> begin(static_cast<std::size_t>(grid.padded_count()), -1);
   std::vector<Index> end(static_cast<std::size_t>(grid.padded_count()), -1);
   loops.find_ranges(grid, cell.data(), count, begin.data(), end.data());

@@ -35,8 +35,8 @@ struct NeighbourBlock {
 };
 
 /// Some neighbours of one particle that are contiguous in storage, with the same shift: what a pair sum on a device
-/// goes by.
-struct NeighbourRun {
+/// goes by. Aligned, so that a device reads it at once.
+struct alignas(8) NeighbourRun {
   static constexpr Index longest = 255;
 
   Index first;
@@ -49,11 +49,10 @@ struct NeighbourRun {
 /// Particles are stored by cell. A cell is a quarter of the search range long (along x) and half of it high, so that
 /// the neighbours of a particle are five short contiguous runs in storage in 2D (25 in 3D). The parts of these runs
 /// that are within reach are found once per sorting and kept: on the host put together to blocks, on a device as runs.
-/// Coordinates are relative to a
-/// tile (a group of cells of one row). They are small numbers, so float is accurate enough for any box size and any
-/// distance from the origin. The same offsets carry periodic images: a wrapped box needs no minimum image in the loop.
-/// Ghosts need no special treatment either: they are in cells outside the box. Wall particles are separate runs in the
-/// same cells.
+/// Coordinates are relative to a tile (a group of cells of one row). They are small numbers, so float is accurate
+/// enough for any box size and any distance from the origin. The same offsets carry periodic images: a wrapped box
+/// needs no minimum image in the loop. Ghosts need no special treatment either: they are in cells outside the box. Wall
+/// particles are separate runs in the same cells.
 template <class Real, int Dim>
 struct Neighbours {
   const Real* local[Dim];   ///< particle coordinates relative to the tile of their cell, m
