@@ -24,11 +24,6 @@ double longest_edge(const Scene& scene) {
   return *std::max_element(scene.box.begin(), scene.box.begin() + scene.dimension);
 }
 
-double active_length(const Scene& scene) {
-  const double activity = std::abs(scene.constant("activity"));
-  return activity > 0.0 ? std::sqrt(scene.constant("elastic_constant") / activity) : 0.0;
-}
-
 /// That of the fluid, also where its momentum is computed with another.
 double physical_density(const Scene& scene) {
   const double physical = scene.constant("physical_density");
@@ -64,6 +59,11 @@ void add_instability(const Scene& scene, std::vector<SceneNumber>& list) {
 }
 
 }  // namespace
+
+double active_length(const Scene& scene) {
+  const double activity = std::abs(scene.constant("activity"));
+  return activity > 0.0 ? std::sqrt(scene.constant("elastic_constant") / activity) : 0.0;
+}
 
 void add_core_numbers(const Scene& scene, std::vector<SceneNumber>& list) {
   const double bulk = std::abs(scene.constant("bulk_A"));

@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "case_run.hpp"
+#include "stokes_channel.hpp"
 
 namespace {
 
@@ -41,38 +42,8 @@ CaseText channel(int across, double amplitude, const std::string& flow = "", con
   return text;
 }
 
-struct Comparison {
-  double amplitude;  ///< of the velocity, over that of Stokes flow
-  double distance;   ///< root of the mean square difference, relative
-};
-
-/// The velocity, row by row, with mu u' = zeta (Q12 - <Q12>) of the run's own Q, u = 0 at both walls.
 Comparison with_stokes(CaseRun& run) {
-  const auto q12 = run.field("order_tensor", 1);
-  const auto u = run.field("velocity", 0);
-  constexpr std::size_t columns = 12;
-  const std::size_t rows = q12.size() / columns;
-  const auto mean_of = [](const std::vector<double>& values, std::size_t begin, std::size_t end) {
-    double sum = 0.0;
-    for (std::size_t i = begin; i < end; ++i) sum += values[i];
-    return sum / static_cast<double>(end - begin);
-  };
-  const double mean = mean_of(q12, 0, q12.size());
-  const double step = width / static_cast<double>(rows) * activity / viscosity;
-  double face = 0.0;  // velocity at the lower face of a row
-  double wrong = 0.0;
-  double both = 0.0;
-  double all = 0.0;
-  for (std::size_t n = 0; n < rows; ++n) {
-    const double slope = mean_of(q12, n * columns, (n + 1) * columns) - mean;
-    const double moved = mean_of(u, n * columns, (n + 1) * columns);
-    const double exact = face + step / 2.0 * slope;
-    face += step * slope;
-    wrong += std::pow(moved - exact, 2);
-    both += moved * exact;
-    all += exact * exact;
-  }
-  return {both / all, std::sqrt(wrong / all)};
+  return profile_beside_stokes(run, {.columns = 12, .width = width, .activity = activity, .viscosity = viscosity});
 }
 
 // The director is near its steady state, and the profile that of Stokes flow but for 36 particles across.

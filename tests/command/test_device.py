@@ -66,6 +66,12 @@ class OnCuda(CommandTest):
         with h5py.File(self.path(folder, "results.h5"), "r") as file:
             return numpy.asarray(file[f"particles/fluid/{name}/value"])
 
+    @unittest.skipIf(DEVICE, "the host plays no device where there is one")
+    def test_the_host_can_play_the_device_in_every_run(self):
+        case = self.write_case(CASE)
+        _, err = self.mesogen("run", case, "--set", "run.device=cpu", MESOGEN_CUDA_ON_HOST="everywhere")
+        self.assertIn("computing on the host, for a test", err)
+
     def test_agrees_with_the_host(self):
         for name, text in SCENES.items():
             with self.subTest(name):

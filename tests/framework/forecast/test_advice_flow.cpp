@@ -9,6 +9,7 @@
 #include "followed.hpp"
 #include "forecast/memory.hpp"
 #include "mesogen/diagnostics/error.hpp"
+#include "stokes_channel.hpp"
 
 namespace {
 
@@ -126,6 +127,40 @@ TEST(Advice, WithoutInertiaAStabilisedStepTakesFewerStages) {
   EXPECT_GT(forecast_steps(before.setup()).stages.at("velocity"),
             50 * forecast_steps(after.setup()).stages.at("velocity"));
   expect_settled(text, *found);
+}
+
+/// Across the channel two waves whose stress has a slope at the walls.
+CaseText creeping_film(double spacing, const std::string& flow) {
+  constexpr double phase = -1.5707963267948966;
+  return film(spacing)
+      .section("physics.flow", "type = \"wcsph\"\ndensity = 1000.0\nviscosity = 0.1\n" + flow)
+      .section("director", fmt::format("type = \"modes\"\nmodes = [[0, 1, 0.4, {0}], [0, 2, 0.3, {0}]]", phase))
+      .section("time", "end = 1.0\nstepping = \"explicit\"");
+}
+
+TEST(Advice, ASmallerSpacingBringsTheFlowBetweenWallsNearerToStokes) {
+  const CaseText text = creeping_film(0.8e-6, "inertia = false\nrelaxation_ratio = 200");
+  const auto found = advised(text, "flow_under_resolved");
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->settings, std::vector<std::string>{"particles.spacing=4e-07"});
+  EXPECT_EQ(found->finding, "the active length is only 3.5 spacings: between walls the velocity is off by some 7.2 %");
+  EXPECT_EQ(found->gain, "the velocity is off by some 1.8 %, with 4 times as many particles");
+  const auto distance = [](CaseRun& run, std::size_t columns) {
+    run.run_to(0.05);
+    return profile_beside_stokes(run, {.columns = columns, .width = 20e-6, .activity = 0.5, .viscosity = 0.1}).distance;
+  };
+  CaseRun before(text);
+  CaseRun after(text, found->settings);
+  const double better = distance(after, 100);
+  EXPECT_LT(better, 0.018);
+  EXPECT_GT(distance(before, 50), 3.0 * better);
+  expect_settled(text, *found);
+}
+
+TEST(Advice, TheSpacingIsLeftWhereItIsSmallOrThereAreNoWalls) {
+  EXPECT_FALSE(advised(creeping_film(0.5e-6, ""), "flow_under_resolved"));
+  EXPECT_FALSE(advised(creeping_film(0.8e-6, "").boundary("periodic_ghosts"), "flow_under_resolved"));
+  EXPECT_FALSE(advised(vortices().boundary("walls"), "flow_under_resolved"));
 }
 
 // Inertia matters above Re = 0.1; and where the artificial density is no larger there is nothing to gain.

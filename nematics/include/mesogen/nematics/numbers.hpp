@@ -18,8 +18,11 @@ void add_active_numbers(const Scene& scene, std::vector<SceneNumber>& list);
 /// For a flow: Reynolds, Mach and Ericksen numbers, its artificial density, and the time in which momentum relaxes.
 void add_flow_numbers(const Scene& scene, std::vector<SceneNumber>& list);
 
-/// Returns |zeta| l_Q / mu, m/s: the speed that an active stress drives against viscosity over the active length l_Q =
-/// sqrt(K / |zeta|). 0 if the scene has no active nematic in a viscous flow.
+/// Returns l_Q = sqrt(K / |zeta|), m; 0 if the scene has no active nematic.
+double active_length(const Scene& scene);
+
+/// Returns |zeta| l_Q / mu, m/s: the speed that an active stress drives against viscosity over the active length. 0 if
+/// the scene has no active nematic in a viscous flow.
 double active_speed(const Scene& scene);
 
 /// Returns rho u L / mu with the expected speed and the fluid's own density; 0 if the scene defines none.
