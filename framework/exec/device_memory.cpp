@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "exec/fetch.hpp"
 #include "mesogen/diagnostics/error.hpp"
 
 namespace mesogen::exec {
@@ -16,6 +17,7 @@ std::string text_of(std::size_t bytes) {
 }  // namespace
 
 DeviceMemory::~DeviceMemory() = default;
+Fetch::~Fetch() = default;
 
 void* DeviceMemory::allocate(std::size_t bytes) {
   const Room now = room();

@@ -18,6 +18,8 @@ class MESOGEN_EXPORT EmulatedMemory : public DeviceMemory {
   void to_host(void* host, const void* device, std::size_t bytes) override;
   void copy(void* to, const void* from, std::size_t bytes) override;
   void zero(void* device, std::size_t bytes) override;
+  /// Copies only when it is waited for: who changes bytes that are on their way gets them changed.
+  [[nodiscard]] std::unique_ptr<Fetch> make_fetch() override;
   void mark_stale(void* place, std::size_t bytes) override;
 
  protected:

@@ -49,7 +49,7 @@ void Field::resize(Index particles, Index of_boundary) {
 }
 
 FieldReader Field::reader() const {
-  if (is_double() || integrated_) return {master(exec::Side::host), {}};
+  if (reads_doubles()) return {master(exec::Side::host), {}};
   return {{}, view<float>(exec::Side::host)};
 }
 

@@ -47,6 +47,12 @@ class MESOGEN_EXPORT Field {
     return {double_.on(side, access), stride_};
   }
   [[nodiscard]] FieldReader reader() const;
+  /// Does a reader see doubles? Otherwise single precision is the best there is.
+  [[nodiscard]] bool reads_doubles() const { return is_double() || integrated_; }
+  /// Are the values that a reader sees up to date on this side?
+  [[nodiscard]] bool is_on(exec::Side side) const {
+    return reads_doubles() ? double_.is_on(side) : single_.is_on(side);
+  }
   /// Of one particle; a loop over particles takes a reader().
   [[nodiscard]] double value(int component, Index particle) const { return reader()(component, particle); }
   void set(int component, Index particle, double value);

@@ -8,8 +8,10 @@
 #include <cub/device/device_radix_sort.cuh>
 #include <cub/device/device_scan.cuh>
 #include <limits>
+#include <memory>
 #include <string>
 
+#include "backend/cuda/cuda_fetch.hpp"
 #include "backend/cuda/cuda_mesh.hpp"
 #include "backend/cuda_library.hpp"
 #include "backend/host_loops.hpp"
@@ -48,6 +50,7 @@ class CudaMemory final : public exec::DeviceMemory {
   void zero(void* device, std::size_t bytes) override {
     check_cuda(cudaMemsetAsync(device, 0, bytes, stream_), "zeroing an array");
   }
+  [[nodiscard]] std::unique_ptr<exec::Fetch> make_fetch() override { return std::make_unique<CudaFetch>(stream_); }
 
  protected:
   [[nodiscard]] Room room() const override {

@@ -52,6 +52,8 @@ class Array {
   [[nodiscard]] std::span<T> host(Access access) { return {on(Side::host, access), size()}; }
   [[nodiscard]] const T* device() const { return on(Side::device); }
   [[nodiscard]] T* device(Access access) { return on(Side::device, access); }
+  /// Are the newest values there, so that reading them copies nothing?
+  [[nodiscard]] bool is_on(Side side) const { return buffer_.is_on(side); }
   /// Where the side is chosen at run time.
   [[nodiscard]] const T* on(Side side) const { return static_cast<const T*>(buffer_.read(side)); }
   [[nodiscard]] T* on(Side side, Access access) { return static_cast<T*>(buffer_.access(side, access)); }

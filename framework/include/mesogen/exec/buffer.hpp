@@ -47,6 +47,10 @@ class MESOGEN_EXPORT Buffer {
   /// Copies bytes of another buffer to `to`, on the side where those are up to date.
   void copy(const Buffer& from, std::size_t first, std::size_t bytes, std::size_t to);
 
+  /// Are the newest bytes there, so that reading them copies nothing?
+  [[nodiscard]] bool is_on(Side side) const {
+    return memory_ == nullptr || (side == Side::host ? host_valid_ : device_valid_);
+  }
   [[nodiscard]] const void* read(Side side) const {
     if (memory_ != nullptr) bring_to(side);
     return memory_ == nullptr || side == Side::host ? host_ : device_;

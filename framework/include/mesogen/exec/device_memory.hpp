@@ -1,12 +1,15 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <string>
 #include <utility>
 
 #include "mesogen/export.hpp"
 
 namespace mesogen::exec {
+
+class Fetch;  // exec/fetch.hpp
 
 /// The memory of a device, apart from the host's: how room is taken there, and how bytes get there and back. All that
 /// the device was asked for before a copy is done before it. One for the process.
@@ -34,6 +37,8 @@ class MESOGEN_EXPORT DeviceMemory {
   /// From one place on the device to another.
   virtual void copy(void* to, const void* from, std::size_t bytes) = 0;
   virtual void zero(void* device, std::size_t bytes) = 0;
+  /// A way by which bytes get to the host while the device goes on with its work.
+  [[nodiscard]] virtual std::unique_ptr<Fetch> make_fetch() = 0;
   /// Called with bytes on either side that are out of date. An emulated device overwrites them, so that a reader who
   /// forgot to ask for the newest values cannot miss it.
   virtual void mark_stale(void* /*place*/, std::size_t /*bytes*/) {}
