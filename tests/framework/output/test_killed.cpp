@@ -29,7 +29,7 @@ void run_to_the_end(const fs::path& folder) {
   ResultsWriter writer = ResultsWriter::resume(options_for(folder), start);
   declare(writer);
   for (std::int64_t step = start + 1; step <= last; ++step) {
-    advance(writer, step, step, many);
+    record(writer, step, step, many);
     if (step % 5 != 0) continue;
     writer.flush();
     Checkpoint checkpoint;
