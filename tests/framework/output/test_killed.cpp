@@ -77,7 +77,12 @@ void expect_unbroken_bytes(int kills_wanted) {
       ++kills;
       if (!fs::exists(folder)) continue;
       EXPECT_EQ(stored_case(folder), "case");
-      if (fs::exists(folder / "results.h5")) expect_valid(folder, many);
+      std::size_t frames = 0;
+      if (fs::exists(folder / "results.h5")) frames = expect_valid(folder, many);
+      if (has_checkpoint(folder)) {
+        EXPECT_GE(frames, static_cast<std::size_t>(read_newest_checkpoint(folder).step / 2 + 1))
+            << "the checkpoint is newer";
+      }
       if (fs::exists(folder / "results.h5.tmp")) ++interrupted_packing;
       ASSERT_FALSE(testing::Test::HasFailure()) << "after kill " << kills;
     }
