@@ -121,6 +121,18 @@ class Counted {
     return 8.0 * (particles_ * (numbers + integers) + kept_by_plugins);
   }
 
+  /// The values of a frame as they are copied when it is taken: id, position, image, and the fields as they are stored.
+  [[nodiscard]] double taken_frame() const {
+    double bytes = 8.0 + axes_ * (exact + 4.0);
+    const std::vector<PlannedField> planned = planned_fields(setup_);
+    for (const std::string& name : setup_.output_fields) {
+      const auto field = std::ranges::find(planned, name, &PlannedField::name);
+      const bool doubles = field != planned.end() && field->integrated;
+      bytes += setup_.catalogue.components(name) * (doubles ? exact : number_);
+    }
+    return particles_ * bytes;
+  }
+
   [[nodiscard]] double frame(bool in_memory) const {
     double bytes = axes_ * (exact + (in_memory ? exact : 4.0));  // position, image
     for (const std::string& name : setup_.output_fields) {
@@ -184,7 +196,8 @@ MemoryForecast forecast_memory(const Setup& setup, double program) {
   forecast.lasting = {{"the program and its plugins", program + running_code},
                       {"positions", counted.positions()},
                       {"neighbour search", counted.neighbour_search()},
-                      {"fields", counted.fields()}};
+                      {"fields", counted.fields()},
+                      {"the frame taken last", counted.taken_frame()}};
   double of_plugins = 0.0;
   for (const auto& member : setup.physics) of_plugins += member.passes.memory();
   if (of_plugins > 0.0) forecast.lasting.push_back({"what plugins keep", of_plugins});
@@ -198,10 +211,11 @@ MemoryForecast forecast_memory(const Setup& setup, double program) {
   // Encoding holds the values, the file in memory, and the bytes that are written.
   const double frame = counted.frame(true) + 2.0 * counted.frame(false);
   // Threads find their parts of the blocks before these are put together.
-  forecast.now_and_then = {{"a sorting", kept * counted.blocks()},
-                           {"a checkpoint", kept * 3.0 * counted.checkpoint()},
-                           {"a frame", kept * frame},
-                           {"a sample", kept * counted.sample()}};
+  const double sorting = counted.blocks();
+  // A run goes on while a frame is written, but makes no checkpoint until it is.
+  forecast.now_and_then = {
+      {"a checkpoint", kept * 3.0 * counted.checkpoint()},
+      {"a frame, and beside it a sorting or a sample", kept * (frame + std::max(sorting, counted.sample()))}};
   return forecast;
 }
 

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -23,6 +24,13 @@ struct FrameField {
   std::vector<double> values;  ///< particles x components, row by row
   NumberType type = NumberType::float64;
   std::optional<Rank> rank = {};  ///< what the components mean, where that is known
+};
+
+/// A frame of a run that may go on before its values are there.
+struct TakenFrame {
+  std::vector<FrameField> fields;  ///< all but the values
+  /// Gives the fields their values. Called once, mostly by another thread than that of the run.
+  std::function<void(std::vector<FrameField>& fields)> fill;
 };
 
 namespace output {

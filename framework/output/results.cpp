@@ -1,6 +1,7 @@
 #include "output/results.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <span>
 #include <stdexcept>
 #include <system_error>
@@ -17,18 +18,43 @@ namespace mesogen {
 
 namespace {
 
-std::vector<output::FieldShape> shapes_of(const std::vector<FrameField>& fields, Index count) {
+std::vector<output::FieldShape> shapes_of(const std::vector<FrameField>& fields) {
   std::vector<output::FieldShape> shapes;
-  for (const FrameField& field : fields) {
-    if (field.components < 1 ||
-        field.values.size() != static_cast<std::size_t>(count) * static_cast<std::size_t>(field.components))
-      throw std::logic_error("a frame's field " + field.name + " must have one row a particle");
-    shapes.push_back(output::shape_of(field));
-  }
+  for (const FrameField& field : fields) shapes.push_back(output::shape_of(field));
   std::ranges::sort(shapes, {}, &output::FieldShape::name);
   if (std::ranges::find(shapes, "position", &output::FieldShape::name) == shapes.end())
     throw std::logic_error("a frame must hold the position");
   return shapes;
+}
+
+void check_rows(const std::vector<FrameField>& fields, Index count) {
+  for (const FrameField& field : fields)
+    if (field.components < 1 ||
+        field.values.size() != static_cast<std::size_t>(count) * static_cast<std::size_t>(field.components))
+      throw std::logic_error("a frame's field " + field.name + " must have one row a particle");
+}
+
+void write_views_of(const ResultsOptions& options, const output::ResultsContent& content) {
+  std::vector<std::byte> bytes;
+  try {
+    const hdf5::Id memory = hdf5::create_in_memory();
+    output::write_structure(memory, options, content, output::Layout::views);
+    bytes = hdf5::image(memory);
+  } catch (const hdf5::Failure& failure) {
+    throw Error(ExitCode::run_failed, "cannot make results.h5: " + std::string(failure.what()));
+  }
+  output::write_file(options.folder / "results.h5", std::span<const std::byte>(bytes));
+  output::write_file(options.folder / "results.xdmf", output::xdmf_text(options, content, output::Layout::views));
+}
+
+/// Its last frame, and then the views of all.
+void write_last_frame(TakenFrame frame, const ResultsOptions& options, const output::ResultsContent& content) {
+  frame.fill(frame.fields);
+  check_rows(frame.fields, options.count);
+  const std::string name = output::frame_name(content.frames.size() - 1);
+  output::write_frame(options.folder / name, frame.fields, content.frames.back(), options.dimension);
+  frame = {};  // its memory
+  write_views_of(options, content);
 }
 
 void make_frame_folder(const std::filesystem::path& folder) {
@@ -82,41 +108,54 @@ void ResultsWriter::add_sample(const std::string& observer, const Sample& sample
   if (content_.samples.add(observer, sample, step, time)) changed_ = true;
 }
 
-void ResultsWriter::add_frame(const std::vector<FrameField>& fields, std::int64_t step, double time) {
+void ResultsWriter::add_frame(std::vector<FrameField> fields, std::int64_t step, double time) {
+  add_frame({std::move(fields), [](std::vector<FrameField>&) {}}, step, time);
+}
+
+void ResultsWriter::add_frame(TakenFrame frame, std::int64_t step, double time) {
+  wait();
   if (finished_) throw std::logic_error("the results are finished");
   if (step == last_frame_step()) return;
   if (step < last_frame_step()) throw std::logic_error("frames must come in the order of steps");
-  std::vector<output::FieldShape> shapes = shapes_of(fields, options_.count);
+  std::vector<output::FieldShape> shapes = shapes_of(frame.fields);
   if (!content_.frames.empty() && shapes != content_.fields)
     throw Error(ExitCode::bad_case, "the frames already in " + options_.folder.string() +
                                         " hold other fields; keep output.fields as it was, or start a new run");
-  const output::FrameStamp stamp{step, time};
-  output::write_frame(options_.folder / output::frame_name(content_.frames.size()), fields, stamp, options_.dimension);
   content_.fields = std::move(shapes);
-  content_.frames.push_back(stamp);
-  changed_ = true;
-  flush();
+  content_.frames.push_back({step, time});
+  // What it works on is its own: samples come in, and this object may move, while it writes.
+  writing_ = std::async(std::launch::async, write_last_frame, std::move(frame), options_, content_);
+  changed_ = false;
+}
+
+void ResultsWriter::wait() {
+  if (!writing_.valid()) return;
+  try {
+    writing_.get();
+  } catch (...) {
+    content_.frames.pop_back();
+    if (content_.frames.empty()) content_.fields.clear();
+    changed_ = true;
+    throw;
+  }
+}
+
+void ResultsWriter::check() {
+  if (writing_.valid() && writing_.wait_for(std::chrono::seconds(0)) == std::future_status::ready) wait();
 }
 
 void ResultsWriter::flush() {
+  wait();
   if (changed_ && !finished_) write_views();
 }
 
 void ResultsWriter::write_views() {
-  std::vector<std::byte> bytes;
-  try {
-    const hdf5::Id memory = hdf5::create_in_memory();
-    output::write_structure(memory, options_, content_, output::Layout::views);
-    bytes = hdf5::image(memory);
-  } catch (const hdf5::Failure& failure) {
-    throw Error(ExitCode::run_failed, "cannot make results.h5: " + std::string(failure.what()));
-  }
-  output::write_file(options_.folder / "results.h5", std::span<const std::byte>(bytes));
-  output::write_file(options_.folder / "results.xdmf", output::xdmf_text(options_, content_, output::Layout::views));
+  write_views_of(options_, content_);
   changed_ = false;
 }
 
 void ResultsWriter::finish(std::optional<RunCost> cost) {
+  wait();
   if (finished_) return;
   content_.cost = cost;
   output::pack(options_, content_);

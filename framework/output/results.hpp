@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <future>
 #include <optional>
 #include <string>
 #include <vector>
@@ -14,13 +15,18 @@ namespace mesogen {
 
 /// The results of a run, results.h5: H5MD 1.1 (de Buyl, Colberg, Hoefling, Comput. Phys. Commun. 185, 1546 (2014)).
 ///
-/// Whenever the process dies, results.h5 is a valid file with every frame that add_frame() returned from. No file is
-/// ever changed in place: each frame is a file of its own under frames/, and results.h5, small and virtual (its
-/// particle datasets are views of the frames), is written anew beside the old one and renamed over it. finish() packs
-/// everything into one self-contained results.h5.
+/// Another thread writes a frame while the run goes on; one frame at a time, so that memory is bounded. Whenever the
+/// process dies, results.h5 is a valid file. It holds every frame that was added before a call of wait(), flush() or
+/// finish() that has returned; add_frame() begins with such a call. No file is ever changed in place: each frame is a
+/// file of its own under frames/, and results.h5, small and virtual (its particle datasets are views of the frames), is
+/// written anew beside the old one and renamed over it. finish() packs everything into one self-contained results.h5.
 ///
 /// Steps must not decrease. All functions throw Error(run_failed) if the disk is full, the folder is gone, ...; what
-/// was written before stays readable.
+/// was written before stays readable. A frame that could not be written is told of once, by the next call of
+/// add_frame(), wait(), check(), flush() or finish(), and is then no part of the results.
+///
+/// Not every build of HDF5 stands two threads at a time. So until wait() or flush() returns, the run that added a frame
+/// does nothing else with HDF5; checkpoints are written after a flush() anyway.
 class MESOGEN_EXPORT ResultsWriter {
  public:
   using Options = ResultsOptions;
@@ -39,14 +45,21 @@ class MESOGEN_EXPORT ResultsWriter {
   /// Kept in memory until flush(). Every declared quantity must be there, nothing else. A sample at the step of the
   /// observer's last one is ignored.
   void add_sample(const std::string& observer, const Sample& sample, std::int64_t step, double time);
-  /// On disk when it returns, and all samples with it. The fields are the same in each frame; one of them is
-  /// `position`. A frame at the step of the last one is ignored.
-  void add_frame(const std::vector<FrameField>& fields, std::int64_t step, double time);
-  /// All samples are on disk when it returns. Call it before each checkpoint.
+  /// Begins to write a frame, and with it all samples until now, once the frame before is on disk. The fields are the
+  /// same in each frame; one of them is `position`. A frame at the step of the last one is ignored.
+  void add_frame(TakenFrame frame, std::int64_t step, double time);
+  /// The same of values that are there.
+  void add_frame(std::vector<FrameField> fields, std::int64_t step, double time);
+  /// The last frame is on disk when it returns.
+  void wait();
+  /// Throws if the last frame could not be written, as far as that is known; waits for nothing.
+  void check();
+  /// All frames and samples are on disk when it returns. Call it before each checkpoint.
   void flush();
   /// Packs the run into one file, with what it took, and removes frames/. Uses the memory of one field of one frame.
   void finish(std::optional<RunCost> cost = {});
 
+  /// With the one that is being written, as in all that follows.
   [[nodiscard]] std::int64_t frame_count() const { return static_cast<std::int64_t>(content_.frames.size()); }
   /// Step of the last frame; -1 if there is none.
   [[nodiscard]] std::int64_t last_frame_step() const {
@@ -60,9 +73,10 @@ class MESOGEN_EXPORT ResultsWriter {
   void write_views();
 
   Options options_;
-  output::ResultsContent content_;
-  bool changed_ = true;    ///< something is not in results.h5 yet
-  bool finished_ = false;  ///< packed; takes nothing any more
+  output::ResultsContent content_;  ///< with the frame that is being written
+  bool changed_ = true;             ///< something is not in results.h5, nor being written there
+  bool finished_ = false;           ///< packed; takes nothing any more
+  std::future<void> writing_;       ///< of the last frame, until somebody has waited; its destructor waits too
 };
 
 }  // namespace mesogen

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "neighbours/outside.hpp"
 #include "plugin/plugin_call.hpp"
 #include "run/state_view.hpp"
 
@@ -61,7 +60,8 @@ void call(const State& state, const Setup::ObserverMember& member, const char* n
 
 }  // namespace
 
-Observation::Observation(Stepper& stepper) : stepper_(stepper) {
+Observation::Observation(Stepper& stepper)
+    : stepper_(stepper), frame_values_(std::make_shared<FrameValues>(stepper.state(), stepper.setup())) {
   for (const auto& member : stepper.setup().observers) {
     sampling_.push_back({"observers." + member.instance + ": sample", "plugin"});
     following_.push_back({"observers." + member.instance + ": follow", "plugin"});
@@ -141,57 +141,20 @@ void Observation::record(const std::vector<bool>& due, ResultsWriter& results) {
   // Passes are counted as such, wherever they run.
   stepper_.executor().prepare(stepper_.setup().output_fields);
   const Span span(frames_, state.clock.trace);
-  results.add_frame(frame(), state.step, state.time);
+  results.wait();  // for the frame before
+  results.add_frame(take_frame(), state.step, state.time);
+}
+
+TakenFrame Observation::take_frame() {
+  stepper_.executor().prepare(stepper_.setup().output_fields);
+  frame_values_->take();
+  return {frame_values_->fields(), [values = frame_values_](std::vector<FrameField>& fields) { values->fill(fields); }};
 }
 
 std::vector<FrameField> Observation::frame() {
-  stepper_.executor().prepare(stepper_.setup().output_fields);
-  const State& state = stepper_.state();
-  const Setup& setup = stepper_.setup();
-  const std::size_t count = state.particles.id.size();
-  const int dimension = state.scene.dimension;
-  std::vector<FrameField> fields;
-  const std::size_t size = count * static_cast<std::size_t>(dimension);
-  FrameField position{"position",          state.units.length, dimension, std::vector<double>(size),
-                      NumberType::float64, Rank::vector};
-  // H5MD's name for the boxes that a particle has crossed.
-  FrameField image{"image", "1", dimension, std::vector<double>(size), NumberType::int32, Rank::vector};
-  const auto id = state.particles.id.host();
-  const auto stored_position = exec::pointers(state.particles.position, exec::Side::host);
-  const auto stored_images = exec::pointers(state.particles.images, exec::Side::host);
-  for (std::size_t i = 0; i < count; ++i) {
-    std::array<double, 3> at{};
-    std::array<std::int32_t, 3> images{};
-    for (int d = 0; d < dimension; ++d) {
-      at[d] = stored_position[d][i];
-      images[d] = stored_images[d][i];
-    }
-    if (!exec::is_inside(stored_position.data(), state.scene.box.data(), dimension, static_cast<Index>(i)))
-      state.boundary.keep_inside(state.scene, at.data(), images.data());
-    const auto row = static_cast<std::size_t>(id[i] * dimension);
-    for (int d = 0; d < dimension; ++d) {
-      position.values[row + static_cast<std::size_t>(d)] = at[d];
-      image.values[row + static_cast<std::size_t>(d)] = images[d];
-    }
-  }
-  fields.push_back(std::move(position));
-  fields.push_back(std::move(image));
-  for (const std::string& name : setup.output_fields) {
-    const Field& field = state.fields.at(name);
-    const int components = field.components();
-    FrameField stored{name,
-                      state.units.text(setup.catalogue.unit(name)),
-                      components,
-                      std::vector<double>(count * static_cast<std::size_t>(components)),
-                      state.single() ? NumberType::float32 : NumberType::float64,
-                      setup.catalogue.rank(name)};
-    const FieldReader value = field.reader();
-    for (int c = 0; c < components; ++c)
-      for (std::size_t i = 0; i < count; ++i)
-        stored.values[static_cast<std::size_t>(id[i] * components + c)] = value(c, static_cast<Index>(i));
-    fields.push_back(std::move(stored));
-  }
-  return fields;
+  TakenFrame taken = take_frame();
+  taken.fill(taken.fields);
+  return std::move(taken.fields);
 }
 
 std::vector<Counter> Observation::counters() const {

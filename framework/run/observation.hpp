@@ -1,12 +1,14 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <vector>
 
 #include "mesogen/export.hpp"
 #include "output/checkpoint.hpp"
 #include "output/frame.hpp"
 #include "output/results.hpp"
+#include "run/frame_values.hpp"
 #include "run/stepper.hpp"
 
 namespace mesogen {
@@ -32,10 +34,13 @@ class MESOGEN_EXPORT Observation {
   /// After the last step and observe(): samples and the frame of all who have none of this state yet, and who they are.
   EndRecords record_end(ResultsWriter& results);
 
-  /// A frame of what is now.
+  /// A frame of what is now, taken in place of the one before, which nobody must be filling any more.
+  [[nodiscard]] TakenFrame take_frame();
+  /// The same with its values.
   [[nodiscard]] std::vector<FrameField> frame();
 
-  /// What the calls into observers took, and frames; without the fields that are brought up to date for them.
+  /// What the calls into observers took, and frames as far as they held up the run; without the fields that are brought
+  /// up to date for them.
   [[nodiscard]] std::vector<Counter> counters() const;
 
   void save(Checkpoint& checkpoint) const;
@@ -45,8 +50,9 @@ class MESOGEN_EXPORT Observation {
   void record(const std::vector<bool>& due, ResultsWriter& results);
 
   Stepper& stepper_;
-  std::int64_t first_step_ = 0;    ///< observers follow the steps after it
-  std::vector<Counter> sampling_;  // of each observer
+  std::shared_ptr<FrameValues> frame_values_;  // with who still fills a frame
+  std::int64_t first_step_ = 0;                ///< observers follow the steps after it
+  std::vector<Counter> sampling_;              // of each observer
   std::vector<Counter> following_;
   Counter frames_{"output: frame", "output"};
 };

@@ -150,11 +150,13 @@ class Run {
 
   void write_checkpoint(ResultsWriter& results) {
     const Span span(checkpoints_, trace_.trace());
+    results.flush();  // and the frame makes room before the checkpoint takes some
     write(checkpoint(), results);
   }
 
-  void keep_checkpoint() {
+  void keep_checkpoint(ResultsWriter& results) {
     const Span span(checkpoints_, trace_.trace());
+    results.flush();
     mesogen::keep_checkpoint(options_.folder, checkpoint());
   }
 
@@ -198,13 +200,15 @@ class Run {
         stepper_.advance(step, last ? everybody() : due);
         log_changes(log_, setup_, stepper_);
         observation_.observe(due, results);
+        results.check();
         progress_.update(state.time, state.step);
-        if (marks_.keeps(from, stepper_.arrival())) keep_checkpoint();
+        if (marks_.keeps(from, stepper_.arrival())) keep_checkpoint(results);
         if (!last && seconds_since(saved) >= setup_.source.output.checkpoint_interval) {
           write_checkpoint(results);
           saved = Clock::now();
         }
       }
+      results.wait();
     } catch (const std::exception& failure) {
       progress_.finish(state.time, state.step);
       keep_samples(results, failure.what());
@@ -227,11 +231,12 @@ class Run {
   }
 
   // After a failure: its message matters more than that of a disk that is full as well.
-  void keep_samples(ResultsWriter& results, const std::string& failure) {
+  void keep_samples(ResultsWriter& results, const std::string& failure, bool again = true) {
     try {
       results.flush();
-    } catch (const Error& error) {
+    } catch (const std::exception& error) {
       if (error.what() != failure) log_.warn(error.what());
+      if (again) keep_samples(results, error.what(), false);  // if the last frame was lost: without it
     }
   }
 

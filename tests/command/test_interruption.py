@@ -25,6 +25,19 @@ class Interruption(CommandTest):
             fluid = file["particles/fluid"]
             return {field: numpy.asarray(fluid[field]["value"][-1]) for field in ("position", "velocity", "order_tensor")}
 
+    def steps_of_frames(self, folder):
+        with h5py.File(self.path(folder, "results.h5"), "r") as file:
+            return list(file["particles/fluid/position/step"])
+
+    def step_of_checkpoint(self, folder):
+        """Of the newest."""
+        steps = []
+        for name in ("checkpoint_a.h5", "checkpoint_b.h5"):
+            if os.path.exists(self.path(folder, name)):
+                with h5py.File(self.path(folder, name), "r") as file:
+                    steps.append(int(file.attrs["step"]))
+        return max(steps)
+
     def expect_same_as_unbroken(self, case):
         self.mesogen("run", case, "--output", "unbroken", "--quiet")
         expected, found = self.final("unbroken"), self.final("out")
@@ -51,8 +64,13 @@ class Interruption(CommandTest):
         time.sleep(0.2)
         process.kill()
         process.communicate()
+        saved, there = self.step_of_checkpoint("out"), self.steps_of_frames("out")
         self.mesogen("resume", "out", "--quiet")
         self.expect_same_as_unbroken(case)
+        frames = self.steps_of_frames("unbroken")
+        self.assertEqual(self.steps_of_frames("out"), frames)
+        before = [step for step in frames if step <= saved]
+        self.assertEqual(there[:len(before)], before, "no checkpoint is newer than a frame that is not on disk")
 
     def test_other_instruction_sets_are_told(self):
         info, _ = self.mesogen("plugin", "info", "wcsph")

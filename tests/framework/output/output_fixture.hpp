@@ -171,12 +171,18 @@ inline void add_samples(ResultsWriter& writer, std::int64_t step) {
   writer.add_sample("defects", defects, step, time_at(step));
 }
 
-/// Samples at each step, frames at each second one.
-inline void advance(ResultsWriter& writer, std::int64_t from, std::int64_t to, Index count = particles) {
+/// Samples at each step, frames at each second one. The last may not be on disk yet.
+inline void record(ResultsWriter& writer, std::int64_t from, std::int64_t to, Index count = particles) {
   for (std::int64_t step = from; step <= to; ++step) {
     add_samples(writer, step);
     if (step % 2 == 0) writer.add_frame(frame_at(step, count), step, time_at(step));
   }
+}
+
+/// The same; all of it is on disk then.
+inline void advance(ResultsWriter& writer, std::int64_t from, std::int64_t to, Index count = particles) {
+  record(writer, from, to, count);
+  writer.flush();
 }
 
 /// results.h5 is readable and all its values are those of the run; returns the number of frames.

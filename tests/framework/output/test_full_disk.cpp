@@ -225,7 +225,12 @@ TEST(ForbiddenFolder, IsNamed) {
               "cannot make the folder " + run.string() + why);
     EXPECT_EQ(error_of([&] { const RunLock lock(parent.path()); }, ExitCode::bad_case),
               "cannot lock the folder by " + (parent.path() / "mesogen.lock").string() + why);
-    EXPECT_EQ(error_of([&] { writer.add_frame(frame_at(0), 0, 0.0); }, ExitCode::run_failed),
+    EXPECT_EQ(error_of(
+                  [&] {
+                    writer.add_frame(frame_at(0), 0, 0.0);
+                    writer.flush();
+                  },
+                  ExitCode::run_failed),
               "cannot write " + (parent.path() / "frames/000000.h5").string() + why);
   }
   fs::permissions(parent.path() / "frames", fs::perms::owner_all);

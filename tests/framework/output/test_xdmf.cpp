@@ -134,6 +134,7 @@ TEST(Xdmf, ShowsEachFrameAsWholeDatasetsOfVectorsAndTensors) {
   const TemporaryFolder folder;
   ResultsWriter writer = ResultsWriter::create(options_in(folder.path()));
   for (std::int64_t step = 0; step < 8; step += 2) writer.add_frame(frame_of_each_rank(step), step, time_at(step));
+  writer.flush();
   expect_frames(folder.path(), 4);
   writer.finish();
   expect_frames(folder.path(), 4);
@@ -197,6 +198,7 @@ TEST(Xdmf, EscapesNames) {
   std::vector<FrameField> fields = frame_at(0);
   fields[0].name = "a<b & \"c\"";
   writer.add_frame(fields, 0, 0.0);
+  writer.flush();
   Tree tree;
   boost::property_tree::read_xml((folder.path() / "results.xdmf").string(), tree);
   EXPECT_EQ(tree.get<std::string>("Xdmf.Domain.Grid.Grid.Attribute.<xmlattr>.Name"), "a<b & \"c\"");
