@@ -1,5 +1,6 @@
 #pragma once
 
+#include <stdexcept>
 #include <variant>
 
 #include "mesogen/mesh/device_spectrum.hpp"
@@ -17,7 +18,7 @@ class PassSpectrum {
  public:
   using WaveVector = typename KeptModes<Dim>::WaveVector;
 
-  /// `device`: PassContext::device_mesh().
+  /// `device`: PassContext::device_mesh(). Throws std::logic_error if that is null in code that nvcc compiled.
   PassSpectrum(const Grid<Dim>& grid, const DeviceMesh* device) : modes_(grid, device) {
     if (device != nullptr) {
       memory_ = &device->memory();
@@ -68,7 +69,10 @@ class PassSpectrum {
   // What nvcc compiles runs only where there is a device.
   using Compiled = DeviceSpectrum<Dim, Real>;
   using Form = std::variant<std::monostate, DeviceSpectrum<Dim, Real>>;
-  void make_on_host(const Grid<Dim>&) {}
+  static void make_on_host(const Grid<Dim>&) {
+    throw std::logic_error(
+        "PassSpectrum is compiled for a device here, and was given none: it cannot work on the host");
+  }
 #else
   using Compiled = ParticleSpectrum<Dim, Real>;
   using Form = std::variant<std::monostate, DeviceSpectrum<Dim, Real>, ParticleSpectrum<Dim, Real>>;
