@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "exec/angle.hpp"
 #include "mesogen/export.hpp"
 #include "mesogen/fields/field_view.hpp"
 
@@ -54,15 +55,17 @@ enum class Operation : std::uint8_t {
   choose,  ///< b where a is not 0, otherwise c
 };
 
-/// One instruction. Its result is the n-th value if it is the n-th instruction; a, b and c are such numbers.
+/// One instruction. Values lie in slots: it takes those in a, b and c, and leaves its result in another.
 struct Instruction {
   Operation operation = Operation::constant;
+  std::uint8_t to = 0;
   std::int16_t a = 0, b = 0, c = 0;
   double number = 0.0;
 };
 
-/// More instructions, or things to read, than these has no program.
+/// More instructions, slots, or things to read, than these has no program.
 inline constexpr int most_instructions = 96;
+inline constexpr int most_slots = 24;
 inline constexpr int most_read = 4;
 
 /// Pictures as they are at one time: that before, that after, and how far it is on the way from the one to the other.
@@ -73,9 +76,11 @@ struct FilmView {
   int width = 0, height = 0;
 };
 
+/// The result of a program is that of its last instruction.
 struct ProgramView {
   const Instruction* code = nullptr;
   int count = 0;
+  int slots = 0;
 };
 
 /// Where and when a program is evaluated, and what it reads. Coordinates along periodic axes are brought into the box.
@@ -95,9 +100,9 @@ MESOGEN_HOST_DEVICE inline double result_of(Operation operation, double a, doubl
   switch (operation) {
     case Operation::negative: return -a;
     case Operation::invert: return a == 0.0 ? 1.0 : 0.0;
-    case Operation::sine: return std::sin(a);
-    case Operation::cosine: return std::cos(a);
-    case Operation::tangent: return std::tan(a);
+    case Operation::sine: return sine(a);
+    case Operation::cosine: return cosine(a);
+    case Operation::tangent: return tangent(a);
     case Operation::arcsine: return std::asin(a);
     case Operation::arccosine: return std::acos(a);
     case Operation::arctangent: return std::atan(a);

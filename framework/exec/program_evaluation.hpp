@@ -3,6 +3,8 @@
 #include <cmath>
 
 #include "exec/program.hpp"
+#include "mesogen/exec/for_each.hpp"
+#include "mesogen/exec/unroll.hpp"
 
 // glibc has these for several numbers at a time (libmvec), and gcc calls them in loops if told so.
 #if defined(__x86_64__) && defined(__GLIBC__) && defined(__GNUC__) && !defined(__clang__) && !defined(__CUDACC__)
@@ -23,7 +25,41 @@ struct Place {
   double at[3][Lanes];
   Index first;
   int count;
+
+  int moved = 3;       ///< the axis along which they are elsewhere than `at`
+  double to[Lanes]{};  ///< namely there
+
+  /// The choice of the axis is written out, so that a device keeps coordinates in registers.
+  [[nodiscard]] MESOGEN_HOST_DEVICE double along(int axis, int n) const {
+    if (axis == moved) return to[n];
+    return axis == 0 ? at[0][n] : axis == 1 ? at[1][n] : at[2][n];
+  }
 };
+
+/// Where the values of a program lie on the host.
+template <int Lanes>
+class LocalSlots {
+ public:
+  double* operator[](int slot) { return value_[slot]; }
+
+ private:
+  double value_[most_slots][Lanes];
+};
+
+#ifdef __CUDACC__
+/// The same on a device: in shared memory, each slot for all threads of a block side by side.
+class SharedSlots {
+ public:
+  static constexpr unsigned threads = LoopBlocks::size;
+  static constexpr std::size_t bytes(int slots) { return static_cast<std::size_t>(slots) * threads * sizeof(double); }
+
+  __device__ explicit SharedSlots(double* block) : own_(block + threadIdx.x) {}
+  __device__ double* operator[](int slot) const { return own_ + slot * static_cast<int>(threads); }
+
+ private:
+  double* own_;
+};
+#endif
 
 namespace program_detail {
 
@@ -72,36 +108,43 @@ MESOGEN_HOST_DEVICE double brightness(const Surroundings<Real>& around, const Fi
 }  // namespace program_detail
 
 /// Evaluates a program at a few particles at a time: on the host as many as keep vector units busy, on a device one.
-template <class Real, int Lanes>
+/// `Slots`: LocalSlots or SharedSlots.
+template <class Real, int Lanes, class Slots>
 class Evaluation {
  public:
-  MESOGEN_HOST_DEVICE Evaluation(const ProgramView& program, const Surroundings<Real>& around)
-      : program_(program), around_(around) {}
+  MESOGEN_HOST_DEVICE Evaluation(const ProgramView& program, const Surroundings<Real>& around, Slots& slots)
+      : program_(program), around_(around), slots_(slots) {}
 
   /// The result at a place; valid until the next call.
   MESOGEN_HOST_DEVICE const double* at(const Place<Lanes>& place) {
-    for (int n = 0; n < program_.count; ++n) run(program_.code[n], place, value_[n]);
-    return value_[program_.count - 1];
+    for (int n = 0; n < program_.count; ++n) run(program_.code[n], place);
+    return slots_[program_.code[program_.count - 1].to];
   }
 
  private:
-  MESOGEN_HOST_DEVICE void run(const Instruction& one, const Place<Lanes>& place, double* result) const {
+  MESOGEN_HOST_DEVICE void run(const Instruction& one, const Place<Lanes>& place) {
+    double* const result = slots_[one.to];
     const auto each = [&](auto&& value) {
       for (int n = 0; n < Lanes; ++n) result[n] = value(n);
     };
-    const double* const a = value_[one.a];
-    const double* const b = value_[one.b];
+    const double* const a = slots_[one.a];
+    const double* const b = slots_[one.b];
+    const double* const c = slots_[one.c];
     // The frequent ones by themselves, in loops that vector units take.
     switch (one.operation) {
       case Operation::constant: return each([&](int) { return one.number; });
-      case Operation::coordinate: return each([&](int n) { return place.at[one.a][n]; });
+      case Operation::coordinate:
+        if (one.a == place.moved) return each([&](int n) { return place.to[n]; });
+        return unroll<3>([&](auto d) {
+          if (one.a == d) each([&](int n) { return place.at[d][n]; });
+        });
       case Operation::time: return each([&](int) { return around_.time; });
       case Operation::field:
         return each(
             [&](int n) { return n < place.count ? static_cast<double>(around_.field[one.a](place.first + n)) : 0.0; });
       case Operation::film:
         return each([&](int n) {
-          return program_detail::brightness(around_, around_.film[one.a], place.at[0][n], place.at[1][n]);
+          return program_detail::brightness(around_, around_.film[one.a], place.along(0, n), place.along(1, n));
         });
       case Operation::add: return each([&](int n) { return a[n] + b[n]; });
       case Operation::subtract: return each([&](int n) { return a[n] - b[n]; });
@@ -109,17 +152,17 @@ class Evaluation {
       case Operation::divide: return each([&](int n) { return a[n] / b[n]; });
       case Operation::less: return each([&](int n) { return a[n] < b[n] ? 1.0 : 0.0; });
       case Operation::root: return each([&](int n) { return std::sqrt(a[n]); });
-      case Operation::sine: return each([&](int n) { return std::sin(a[n]); });
-      case Operation::cosine: return each([&](int n) { return std::cos(a[n]); });
+      case Operation::sine: return each([&](int n) { return sine(a[n]); });
+      case Operation::cosine: return each([&](int n) { return cosine(a[n]); });
       case Operation::exponential: return each([&](int n) { return std::exp(a[n]); });
       case Operation::logarithm: return each([&](int n) { return std::log(a[n]); });
-      default: return each([&](int n) { return result_of(one.operation, a[n], b[n], value_[one.c][n]); });
+      default: return each([&](int n) { return result_of(one.operation, a[n], b[n], c[n]); });
     }
   }
 
   ProgramView program_;
   const Surroundings<Real>& around_;
-  double value_[most_instructions][Lanes];
+  Slots& slots_;
 };
 
 /// The coordinates of some particles.
@@ -137,15 +180,28 @@ MESOGEN_HOST_DEVICE Place<Lanes> place_of(const Surroundings<Real>& around, Inde
   return place;
 }
 
+/// Of a group of particles. On a device it needs SharedSlots::bytes of shared memory: evaluate_program() sees to that.
 template <class Real, int Lanes>
 struct EvaluateProgram {
   EvaluateArguments<Real> a;
   Index particles;
 
   MESOGEN_HOST_DEVICE void operator()(Index group) const {
+#ifdef __CUDA_ARCH__
+    extern __shared__ double program_slots[];
+    SharedSlots slots(program_slots);
+#else
+    LocalSlots<Lanes> slots;
+#endif
+    evaluate(group, slots);
+  }
+
+ private:
+  template <class Slots>
+  MESOGEN_HOST_DEVICE void evaluate(Index group, Slots& slots) const {
     const Index first = group * Lanes;
     const int count = particles - first < Lanes ? static_cast<int>(particles - first) : Lanes;
-    Evaluation<Real, Lanes> evaluation(a.program, a.around);
+    Evaluation<Real, Lanes, Slots> evaluation(a.program, a.around, slots);
     const Place<Lanes> place = place_of<Real, Lanes>(a.around, first, count);
     double here[Lanes];
     copy(evaluation.at(place), here);
@@ -157,22 +213,23 @@ struct EvaluateProgram {
       for (int n = 0; n < count; ++n) a.gradient[d][first + n] = static_cast<Real>(slope[n]);
     }
   }
-
- private:
   MESOGEN_HOST_DEVICE static void copy(const double* from, double* to) {
     for (int n = 0; n < Lanes; ++n) to[n] = from[n];
   }
   /// The values a way to one side of a place, and how far that is: less in front of a wall, and nothing where the
   /// program gives no number, as it may in a solid.
-  MESOGEN_HOST_DEVICE void look_aside(Evaluation<Real, Lanes>& evaluation, const Place<Lanes>& place, int d, double way,
-                                      const double* here, double* value, double* distance) const {
+  template <class Slots>
+  MESOGEN_HOST_DEVICE void look_aside(Evaluation<Real, Lanes, Slots>& evaluation, const Place<Lanes>& place, int d,
+                                      double way, const double* here, double* value, double* distance) const {
     const double length = a.around.box[d];
     Place<Lanes> there = place;
+    there.moved = d;
     for (int n = 0; n < Lanes; ++n) {
-      double to = place.at[d][n] + way;
+      const double from = place.along(d, n);
+      double to = from + way;
       if (!a.around.periodic[d]) to = to < 0.0 ? 0.0 : (to > length ? length : to);
-      distance[n] = to - place.at[d][n];
-      there.at[d][n] = a.around.periodic[d] ? program_detail::into_box(to, length) : to;
+      distance[n] = to - from;
+      there.to[n] = a.around.periodic[d] ? program_detail::into_box(to, length) : to;
     }
     copy(evaluation.at(there), value);
     for (int n = 0; n < Lanes; ++n) {
@@ -181,7 +238,8 @@ struct EvaluateProgram {
       distance[n] = 0.0;
     }
   }
-  MESOGEN_HOST_DEVICE void find_slope(Evaluation<Real, Lanes>& evaluation, const Place<Lanes>& place, int d,
+  template <class Slots>
+  MESOGEN_HOST_DEVICE void find_slope(Evaluation<Real, Lanes, Slots>& evaluation, const Place<Lanes>& place, int d,
                                       const double* here, double* slope) const {
     double above[Lanes];
     double below[Lanes];
@@ -195,5 +253,23 @@ struct EvaluateProgram {
     }
   }
 };
+
+/// Evaluates a program at `count` particles.
+template <class Real>
+void evaluate_program(const Space& space, const EvaluateArguments<Real>& arguments, Index count) {
+  constexpr const char* what = "prescribed values";
+#ifdef __CUDACC__
+  const EvaluateProgram<Real, 1> evaluate{arguments, count};
+  if (!space.device) return for_each(space, count, evaluate, what);
+  if (count == 0) return;
+  // As for_each does, but with shared memory.
+  run_for_each<<<LoopBlocks::number(count), LoopBlocks::size, SharedSlots::bytes(arguments.program.slots),
+                 static_cast<cudaStream_t>(space.stream)>>>(count, evaluate);
+  check_launch(what);
+#else
+  constexpr int lanes = 32;
+  for_each(space, (count + lanes - 1) / lanes, EvaluateProgram<Real, lanes>{arguments, count}, what);
+#endif
+}
 
 }  // namespace mesogen::exec

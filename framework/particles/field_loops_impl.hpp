@@ -123,13 +123,7 @@ class FieldLoopsImpl final : public FieldLoops<Real> {
     });
   }
   void evaluate(const EvaluateArguments<Real>& arguments, Index count) const override {
-    constexpr const char* what = "prescribed values";
-#ifdef __CUDACC__
-    for_each(space_, count, EvaluateProgram<Real, 1>{arguments, count}, what);
-#else
-    constexpr int lanes = 32;
-    for_each(space_, (count + lanes - 1) / lanes, EvaluateProgram<Real, lanes>{arguments, count}, what);
-#endif
+    evaluate_program(space_, arguments, count);
   }
   void scale(FieldView<const Real> from, Real factor, FieldView<Real> to, int components, Index count) const override {
     for_components(components, [&]<int N>() {

@@ -29,8 +29,8 @@ namespace {
 template <int Count>
 std::array<double, Count> values_at(const Program& program, const exec::Surroundings<double>& around,
                                     const exec::Place<Count>& place) {
-  const exec::ProgramView view{program.code.data(), static_cast<int>(program.code.size())};
-  exec::Evaluation<double, Count> evaluation(view, around);
+  exec::LocalSlots<Count> slots;
+  exec::Evaluation<double, Count, exec::LocalSlots<Count>> evaluation(program.view(), around, slots);
   std::array<double, Count> values;
   std::copy_n(evaluation.at(place), Count, values.begin());
   return values;

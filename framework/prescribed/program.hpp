@@ -14,7 +14,9 @@ struct MESOGEN_EXPORT Program {
   std::vector<exec::Instruction> code;
   std::vector<std::string> fields;  ///< that it reads, in the order of their numbers
   std::vector<Film> films;          ///< the same of films
+  int slots = 0;                    ///< that its values need
 
+  [[nodiscard]] exec::ProgramView view() const { return {code.data(), static_cast<int>(code.size()), slots}; }
   /// The number that it always gives, if it reads nothing; of a program without this, any.
   [[nodiscard]] bool constant() const { return code.size() == 1 && code[0].operation == exec::Operation::constant; }
   [[nodiscard]] double number() const { return code[0].number; }
@@ -34,15 +36,17 @@ struct MESOGEN_EXPORT Program {
 class MESOGEN_EXPORT ProgramWriter {
  public:
   int constant(double number);
-  int coordinate(int axis) { return add({exec::Operation::coordinate, static_cast<std::int16_t>(axis)}); }
-  int time() { return add({exec::Operation::time}); }
+  int coordinate(int axis) {
+    return add({.operation = exec::Operation::coordinate, .a = static_cast<std::int16_t>(axis)});
+  }
+  int time() { return add({.operation = exec::Operation::time}); }
   int field(const std::string& name);
   int film(Film film);
   /// What follows from numbers alone is computed at once.
   int apply(exec::Operation operation, int a, int b = 0, int c = 0);
 
   /// The program whose result is this value; what does not lead to it is left out. Throws Error(bad_case) if it is too
-  /// long, or reads too much.
+  /// long, keeps too many values at a time, or reads too much.
   [[nodiscard]] Program finish(int result) const;
 
  private:

@@ -8,7 +8,6 @@
 
 #include "case/toml_text.hpp"
 #include "exec/program_evaluation.hpp"
-#include "mesogen/exec/for_each.hpp"
 #include "prescribed/surroundings.hpp"
 #include "text/rounded_text.hpp"
 
@@ -16,7 +15,6 @@ namespace mesogen {
 
 namespace {
 
-constexpr int lanes = 32;
 constexpr int times_in_octave = 32;
 constexpr Index most_places = 512;  // of particles, at times after the start
 
@@ -55,7 +53,7 @@ class Sampler {
       return some;
     };
     exec::EvaluateArguments<double> arguments{};
-    arguments.program = {program_.code.data(), static_cast<int>(program_.code.size())};
+    arguments.program = program_.view();
     arguments.around = surroundings<double>(scene_, time);
     for (std::size_t d = 0; d < static_cast<std::size_t>(scene_.dimension); ++d) {
       position[d] = thinned(particles_.position[d]);
@@ -68,7 +66,7 @@ class Sampler {
       arguments.around.film[n] = film_view(program_.films[n], program_.films[n].pixels.data(), time);
     std::vector<double> value(static_cast<std::size_t>(count));
     arguments.result = value.data();
-    exec::for_each({}, (count + lanes - 1) / lanes, exec::EvaluateProgram<double, lanes>{arguments, count});
+    exec::evaluate_program({}, arguments, count);
     for (std::size_t i = 0; i < value.size() && problem_.empty(); ++i) {
       if (std::abs(value[i]) > std::abs(largest_)) largest_ = value[i];
       if (const std::string wrong = what_is_wrong(prescribed_, value[i]); !wrong.empty()) {

@@ -63,7 +63,8 @@ void PrescribedFields::run(Made& made, std::size_t n) {
   const Component& component = made.components[n];
   const Program& program = *component.program;
   exec::EvaluateArguments<Real> arguments{};
-  arguments.program = {component.code.device(), static_cast<int>(component.code.size())};
+  arguments.program = program.view();
+  arguments.program.code = component.code.device();
   arguments.around = surroundings<Real>(state_.scene, state_.time);
   for (int d = 0; d < state_.scene.dimension; ++d)
     arguments.around.position[d] = state_.particles.position[static_cast<std::size_t>(d)].device();

@@ -18,8 +18,6 @@ KERNEL = re.compile(
     r"Used (?P<registers>\d+) registers", re.DOTALL)
 # Bytes of local memory that a kernel may take after all, by its name.
 LOCAL_MEMORY = {
-    # An interpreter: which of its values it works on is known at run time.
-    "EvaluateProgram": 2048,
     # Once per sorting.
     "FindRanges": 104,
     "TakeForce": 8,

@@ -29,7 +29,7 @@ double value(const std::string& text) {
   const double solute = 0.25;
   double result = 0.0;
   exec::EvaluateArguments<double> arguments{};
-  arguments.program = {program.code.data(), static_cast<int>(program.code.size())};
+  arguments.program = program.view();
   arguments.around.position[0] = &x;
   arguments.around.position[1] = &y;
   arguments.around.dimension = 2;
