@@ -83,7 +83,7 @@ struct WeighMirrorRuns {
   template <class Action>
   [[gnu::always_inline]] MESOGEN_HOST_DEVICE void visit(Index n, const Action& action) const {
     const double per_length = 1.0 / length;
-    double origin[Dim];
+    double origin[Dim] = {};
     visit_mirror_runs(
         points, n,
         [&](const NeighbourRun& run) {
