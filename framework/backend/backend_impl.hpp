@@ -6,6 +6,7 @@
 #include "neighbours/cell_loops_impl.hpp"
 #include "particles/field_loops_impl.hpp"
 #include "particles/storage_loops_impl.hpp"
+#include "sph/mirror_loops_impl.hpp"
 #include "sph/pair_loops_impl.hpp"
 
 /// All loops of a backend, compiled twice: by g++ for the host, by nvcc for CUDA.
@@ -23,7 +24,9 @@ class BackendImpl : public Backend {
         single_fields_(space, reductions_),
         double_fields_(space, reductions_),
         single_pairs_(space),
-        double_pairs_(space) {}
+        double_pairs_(space),
+        single_mirrors_(space),
+        double_mirrors_(space) {}
 
   [[nodiscard]] Space space() const override { return space_; }
   void wait() const override { reductions_.wait(space_); }
@@ -37,6 +40,8 @@ class BackendImpl : public Backend {
   [[nodiscard]] const FieldLoops<double>& double_fields() const override { return double_fields_; }
   [[nodiscard]] const PairLoops<float>& single_pairs() const override { return single_pairs_; }
   [[nodiscard]] const PairLoops<double>& double_pairs() const override { return double_pairs_; }
+  [[nodiscard]] const MirrorLoops<float>& single_mirrors() const override { return single_mirrors_; }
+  [[nodiscard]] const MirrorLoops<double>& double_mirrors() const override { return double_mirrors_; }
 
  private:
   Space space_;
@@ -47,6 +52,8 @@ class BackendImpl : public Backend {
   FieldLoopsImpl<double> double_fields_;
   PairLoopsImpl<float> single_pairs_;
   PairLoopsImpl<double> double_pairs_;
+  MirrorLoopsImpl<float> single_mirrors_;
+  MirrorLoopsImpl<double> double_mirrors_;
 };
 
 }  // namespace mesogen::exec

@@ -30,6 +30,8 @@ template <class Real>
 class FieldLoops;  // particles/field_loops.hpp
 template <class Real>
 class PairLoops;  // sph/pair_loops.hpp
+template <class Real>
+class MirrorLoops;  // sph/mirror_loops.hpp
 
 }  // namespace exec
 
@@ -78,6 +80,15 @@ class MESOGEN_EXPORT Backend {
       return double_pairs();
     }
   }
+  /// Of the points in which wall particles are mirrored.
+  template <class Real>
+  [[nodiscard]] const exec::MirrorLoops<Real>& mirrors() const {
+    if constexpr (std::is_same_v<Real, float>) {
+      return single_mirrors();
+    } else {
+      return double_mirrors();
+    }
+  }
 
   /// What it offers a mesh beside the particles; null on the host.
   [[nodiscard]] virtual const mesh::DeviceMesh* mesh() const = 0;
@@ -89,6 +100,8 @@ class MESOGEN_EXPORT Backend {
   [[nodiscard]] virtual const exec::FieldLoops<double>& double_fields() const = 0;
   [[nodiscard]] virtual const exec::PairLoops<float>& single_pairs() const = 0;
   [[nodiscard]] virtual const exec::PairLoops<double>& double_pairs() const = 0;
+  [[nodiscard]] virtual const exec::MirrorLoops<float>& single_mirrors() const = 0;
+  [[nodiscard]] virtual const exec::MirrorLoops<double>& double_mirrors() const = 0;
 };
 
 }  // namespace mesogen

@@ -1,10 +1,11 @@
 #include "ghosts/boundary_values.hpp"
 
 #include <algorithm>
+#include <vector>
 
 #include "ghosts/ghost_loops.hpp"
 #include "mesogen/exec/dispatch.hpp"
-#include "sph/mirror_values.hpp"
+#include "sph/mirror_loops.hpp"
 
 namespace mesogen {
 
@@ -33,7 +34,7 @@ void BoundaryValues::refresh(Field& field) {
 const BoundaryValues::Rules& BoundaryValues::rules_of(const Field& field) {
   const auto at = rules_.find(field.name());
   if (at != rules_.end()) return at->second;
-  const Rules same{{{}, clock_.backend.memory()}, {{}, clock_.backend.memory()}, {}, {}, false};
+  const Rules same(clock_.backend.memory());
   return rules_.emplace(field.name(), field.kind ? ask(*field.kind, field.difference) : same).first->second;
 }
 
@@ -53,15 +54,17 @@ BoundaryValues::Rules BoundaryValues::ask(const FieldKind& field, bool differenc
     curved.push_back(own.curved() ? 1 : 0);
     for (int c = 0; c < own.components(); ++c) at_wall.push_back(own.at_wall(c));
   }
-  if (std::ranges::find(curved, 1) == curved.end()) {
-    curved.clear();
-    at_wall.clear();
+  exec::DeviceMemory* const memory = clock_.backend.memory();
+  Rules rules(memory);
+  rules.ghosts = RuleTable(ghosts, memory);
+  rules.walls = RuleTable(walls, memory);
+  rules.vector = field.rank == Rank::vector;
+  if (std::ranges::find(curved, 1) != curved.end()) {
+    rules.straight_somewhere = std::ranges::find(curved, 0) != curved.end();
+    rules.curved.assign(curved);
+    rules.at_wall.assign(at_wall);
   }
-  return {{ghosts, clock_.backend.memory()},
-          {walls, clock_.backend.memory()},
-          std::move(curved),
-          std::move(at_wall),
-          field.rank == Rank::vector};
+  return rules;
 }
 
 template <class Real>
@@ -74,30 +77,41 @@ void BoundaryValues::refresh_ghosts(Field& field) {
 
 template <class Real, int Dim>
 const double* BoundaryValues::find(sph::MirrorFit fit, Weights& weights) {
+  const Mirrors& mirrors = neighbourhood_.mirrors();
   if (weights.version != neighbourhood_.version()) {
-    const sph::MirrorPoints<Dim> points = neighbourhood_.mirrors<Dim>();
+    const sph::MirrorPoints<Dim> points = mirrors.points<Dim>();
     Neighbours<Real, Dim> neighbours{};
-    neighbourhood_.fill(neighbours, exec::Side::host);
-    weights.values.resize(static_cast<std::size_t>(points.block_begin[points.count]) * NeighbourBlock::width<Real>);
-    sph::find_mirror_weights<Real, Dim>(fit, neighbours, points, kernel_, weights.values.data());
+    neighbourhood_.fill(neighbours, mirrors.side());
+    weights.values.resize_for_overwrite(mirrors.weights<Real>());
+    double* const values = weights.values.on(mirrors.side(), exec::Access::write);
+    if (clock_.backend.has_host_code()) {
+      sph::find_mirror_weights<Real, Dim>(fit, neighbours, points, kernel_, values);
+    } else {
+      clock_.backend.mirrors<Real>().find_weights(fit, neighbours, points, kernel_, values);
+    }
     weights.version = neighbourhood_.version();
   }
-  return weights.values.data();
+  return weights.values.on(mirrors.side());
 }
 
-// On the host, wherever the rest is.
 template <class Real, int Dim>
 void BoundaryValues::refresh_walls(Field& field) {
-  constexpr auto host = exec::Side::host;
+  const exec::Side side = neighbourhood_.mirrors().side();
   const Rules& rules = rules_of(field);
   const bool any_curved = !rules.curved.empty();
-  const bool any_linear = !any_curved || rules.vector || std::ranges::find(rules.curved, 0) != rules.curved.end();
+  const bool any_linear = rules.vector || rules.straight_somewhere;
   const sph::MirrorWeights weights{any_linear ? find<Real, Dim>(sph::MirrorFit::linear, linear_) : nullptr,
                                    any_curved ? find<Real, Dim>(sph::MirrorFit::curved, curved_) : nullptr};
-  const sph::CurvedValues curved{rules.vector, any_curved ? rules.curved.data() : nullptr, rules.at_wall.data()};
-  sph::refresh_walls<Real, Dim>(neighbourhood_.mirrors<Dim>(), weights, curved, rules.walls.view(host),
-                                field.view<Real>(host, exec::Access::read_write), field.components(),
-                                neighbourhood_.wall_view(host).first);
+  const sph::CurvedValues curved{rules.vector, any_curved ? rules.curved.on(side) : nullptr, rules.at_wall.on(side)};
+  const sph::MirrorPoints<Dim> points = neighbourhood_.mirrors().points<Dim>();
+  const RuleView walls = rules.walls.view(side);
+  const FieldView<Real> values = field.view<Real>(side, exec::Access::read_write);
+  const Index first = neighbourhood_.wall_view(side).first;
+  if (clock_.backend.has_host_code()) {
+    sph::refresh_walls<Real, Dim>(points, weights, curved, walls, values, field.components(), first);
+  } else {
+    clock_.backend.mirrors<Real>().refresh(points, weights, curved, walls, values, field.components(), first);
+  }
 }
 
 }  // namespace mesogen

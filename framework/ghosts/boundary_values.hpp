@@ -3,11 +3,11 @@
 #include <cstdint>
 #include <map>
 #include <string>
-#include <vector>
 
 #include "exec/work_clock.hpp"
 #include "ghosts/neighbourhood.hpp"
 #include "ghosts/rule_table.hpp"
+#include "mesogen/exec/array.hpp"
 #include "mesogen/plugin/boundary.hpp"
 #include "mesogen/sph/smoothing_kernel.hpp"
 #include "particles/field.hpp"
@@ -23,7 +23,13 @@ class MESOGEN_EXPORT BoundaryValues {
   /// All of these must outlive it.
   BoundaryValues(const Scene& scene, const Boundary& boundary, const Neighbourhood& neighbourhood,
                  const sph::SmoothingKernel& kernel, const WorkClock& clock)
-      : scene_(scene), boundary_(boundary), neighbourhood_(neighbourhood), kernel_(kernel), clock_(clock) {}
+      : scene_(scene),
+        boundary_(boundary),
+        neighbourhood_(neighbourhood),
+        kernel_(kernel),
+        clock_(clock),
+        linear_(clock.backend.memory()),
+        curved_(clock.backend.memory()) {}
 
   /// Brings a field up to date there, if it is not.
   void refresh(Field& field);
@@ -35,11 +41,15 @@ class MESOGEN_EXPORT BoundaryValues {
   [[nodiscard]] bool up_to_date(const Field& field) const;
   [[nodiscard]] std::uint64_t positions() const;
   struct Rules {
+    /// Values that stay the same.
+    explicit Rules(exec::DeviceMemory* memory)
+        : ghosts({}, memory), walls({}, memory), curved(memory), at_wall(memory) {}
     RuleTable ghosts;
     RuleTable walls;
-    std::vector<std::uint8_t> curved;  ///< by wall particle; empty where the field is curved at none
-    std::vector<double> at_wall;       ///< by wall particle, then component; likewise
+    exec::Array<std::uint8_t> curved;  ///< by wall particle; empty where the field is curved at none
+    exec::Array<double> at_wall;       ///< by wall particle, then component; likewise
     bool vector = false;               ///< the field is a vector
+    bool straight_somewhere = true;    ///< there is a wall particle at which the field is not curved
   };
   const Rules& rules_of(const Field& field);
   [[nodiscard]] Rules ask(const FieldKind& field, bool difference) const;
@@ -56,7 +66,8 @@ class MESOGEN_EXPORT BoundaryValues {
   std::map<std::string, Rules, std::less<>> rules_;  // by field
   /// See sph/mirror_values.hpp.
   struct Weights {
-    std::vector<double> values;
+    explicit Weights(exec::DeviceMemory* memory) : values(memory) {}
+    exec::Array<double> values;
     std::uint64_t version = 0;  ///< of the neighbourhood that they belong to
   };
   template <class Real, int Dim>

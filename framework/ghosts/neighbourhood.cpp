@@ -7,7 +7,6 @@
 #include "neighbours/cell_loops.hpp"
 #include "neighbours/outside.hpp"
 #include "particles/storage_loops.hpp"
-#include "plugin/way_to_mirror.hpp"
 #include "sph/pair_loops.hpp"
 
 namespace mesogen {
@@ -38,25 +37,12 @@ Neighbourhood::Neighbourhood(const Scene& scene, const Boundary& boundary, const
       run_(backend.memory()),
       ghosts_(images_of(scene, boundary), backend),
       walls_(scene, boundary, grid_, ghosts_.images(), scene.support + skin_, backend.memory()),
+      mirrors_(scene, boundary, grid_, walls_.members(), backend),
       local_single_(exec::axis_arrays<float>(backend.memory())),
       local_double_(exec::axis_arrays<double>(backend.memory())),
       scratch_(backend.memory()) {
   cell_begin_.resize(static_cast<std::size_t>(grid_.padded_count()));
   cell_end_.resize(static_cast<std::size_t>(grid_.padded_count()));
-  place_mirrors();
-}
-
-void Neighbourhood::place_mirrors() {
-  for (const WallSet::Member& wall : walls_.members()) {
-    mirror_curvature_.push_back(wall.particle.curvature);
-    mirror_cell_.push_back(grid_.nearest_inside(wall.particle.mirror));
-    const std::array<double, 3> way = way_to_mirror(scene_, boundary_, wall.particle);
-    for (int d = 0; d < scene_.dimension; ++d) {
-      mirror_local_[d].push_back(wall.particle.mirror[d] - grid_.tile_origin(d, mirror_cell_.back()[d]));
-      mirror_to_wall_[d].push_back(-way[static_cast<std::size_t>(d)]);
-      mirror_normal_[d].push_back(wall.particle.normal[d]);
-    }
-  }
 }
 
 const exec::Array<Index>* Neighbourhood::update(Particles& particles, double farthest) {
@@ -103,14 +89,15 @@ void Neighbourhood::find_neighbours() {
   (void)place(sorted_position_, 0.0);
   dispatch(scene_.precision, scene_.dimension, [&]<class Real, int Dim>() {
     if (!backend_.has_host_code()) find_runs<Real, Dim>();
-    if (blocks_wanted_ || walls_.count() > 0) find_blocks<Real, Dim>();
+    if (blocks_wanted_) blocks_.find(seen_from<Real, Dim>(exec::Side::host), neighbour_range());
+    // A mirror point does not move.
+    if (walls_.count() > 0) mirrors_.find(seen_from<Real, Dim>(mirrors_.side()), scene_.support + 0.51 * skin_);
   });
 }
 
 template <class Real, int Dim>
 void Neighbourhood::find_runs() {
-  Neighbours<Real, Dim> grid{};
-  fill(grid, device);
+  Neighbours<Real, Dim> grid = seen_from<Real, Dim>(device);
   const exec::PairLoops<Real>& loops = backend_.pairs<Real>();
   run_begin_.resize_for_overwrite(cell_of_.size() + 1);
   loops.count_runs(grid, neighbour_range(), run_begin_.device(Access::write));
@@ -118,16 +105,6 @@ void Neighbourhood::find_runs() {
   run_.resize_for_overwrite(static_cast<std::size_t>(runs));
   grid.run_begin = run_begin_.device();
   loops.list_runs(grid, neighbour_range(), run_.device(Access::write));
-}
-
-template <class Real, int Dim>
-void Neighbourhood::find_blocks() {
-  Neighbours<Real, Dim> grid{};
-  fill(grid, exec::Side::host);
-  if (blocks_wanted_) blocks_.find(grid, neighbour_range());
-  // A mirror point sees the fluid alone, and does not move.
-  grid.wall_begin = grid.wall_end = nullptr;
-  if (walls_.count() > 0) mirror_blocks_.find_around(grid, mirror_local_, mirror_cell_, scene_.support + 0.51 * skin_);
 }
 
 void Neighbourhood::keep_inside(Particles& particles) {

@@ -7,6 +7,7 @@
 
 #include "exec/backend.hpp"
 #include "ghosts/ghosts.hpp"
+#include "ghosts/mirrors.hpp"
 #include "ghosts/wall_set.hpp"
 #include "mesogen/exec/array.hpp"
 #include "mesogen/export.hpp"
@@ -16,7 +17,6 @@
 #include "neighbours/cell_grid.hpp"
 #include "neighbours/neighbour_blocks.hpp"
 #include "particles/particles.hpp"
-#include "sph/mirror_values.hpp"
 
 namespace mesogen {
 
@@ -64,9 +64,7 @@ class MESOGEN_EXPORT Neighbourhood {
   }
   /// How many wall particles and ghosts are stored behind the particles.
   [[nodiscard]] Index boundary_count() const { return walls_.count() + ghosts_.count(); }
-  /// Particles and ghosts around the mirror points of the walls, as they were at the last sorting.
-  template <int Dim>
-  [[nodiscard]] sph::MirrorPoints<Dim> mirrors() const;
+  [[nodiscard]] const Mirrors& mirrors() const { return mirrors_; }
   [[nodiscard]] const CellGrid& grid() const { return grid_; }
   /// How much farther than the support cells reach, m: between sortings a particle strays by at most half of it.
   [[nodiscard]] double skin() const { return skin_; }
@@ -88,7 +86,6 @@ class MESOGEN_EXPORT Neighbourhood {
   void find_cells(const exec::AxisArrays<double>& position);
   void build_ghosts();
   void make_room();
-  void place_mirrors();
   template <class Real>
   [[nodiscard]] exec::AxisArrays<Real>& local() {
     if constexpr (sizeof(Real) == sizeof(float)) {
@@ -102,7 +99,11 @@ class MESOGEN_EXPORT Neighbourhood {
   [[nodiscard]] bool place(const exec::AxisArrays<double>& position, double farthest);
   void find_neighbours();
   template <class Real, int Dim>
-  void find_blocks();
+  [[nodiscard]] Neighbours<Real, Dim> seen_from(exec::Side side) const {
+    Neighbours<Real, Dim> grid{};
+    fill(grid, side);
+    return grid;
+  }
   template <class Real, int Dim>
   void find_runs();
 
@@ -124,12 +125,7 @@ class MESOGEN_EXPORT Neighbourhood {
   bool neighbours_found_ = false;
   Ghosts ghosts_;
   WallSet walls_;
-  std::vector<CellGrid::Cell> mirror_cell_;          // of the mirror point of each wall particle
-  std::array<std::vector<double>, 3> mirror_local_;  // relative to the tile of its cell
-  std::array<std::vector<double>, 3> mirror_to_wall_;
-  std::array<std::vector<double>, 3> mirror_normal_;
-  std::vector<double> mirror_curvature_;
-  NeighbourBlocks mirror_blocks_;
+  Mirrors mirrors_;
   exec::AxisArrays<float> local_single_;
   exec::AxisArrays<double> local_double_;
   /// Room for one array of each kind while particles change places.

@@ -1,4 +1,4 @@
-// What sums over pairs, and over what is around the mirror points of walls, see of a neighbourhood.
+// What sums over pairs see of a neighbourhood.
 
 #include "ghosts/neighbourhood.hpp"
 
@@ -36,24 +36,6 @@ void Neighbourhood::fill(Neighbours<Real, Dim>& grid, exec::Side side) const {
   const double h = scene_.smoothing_length;
   grid.smallest = Real((sizeof(Real) == sizeof(float) ? 1e-14 : 1e-30) * h * h);
 }
-
-template <int Dim>
-sph::MirrorPoints<Dim> Neighbourhood::mirrors() const {
-  sph::MirrorPoints<Dim> points{};
-  points.count = walls_.count();
-  points.block_begin = mirror_blocks_.begin.data();
-  points.block = mirror_blocks_.block.data();
-  points.curvature = mirror_curvature_.data();
-  for (int d = 0; d < Dim; ++d) {
-    points.local[d] = mirror_local_[d].data();
-    points.to_wall[d] = mirror_to_wall_[d].data();
-    points.normal[d] = mirror_normal_[d].data();
-    points.offset[d] = mirror_blocks_.offset[d].data();
-  }
-  return points;
-}
-template sph::MirrorPoints<2> Neighbourhood::mirrors() const;
-template sph::MirrorPoints<3> Neighbourhood::mirrors() const;
 
 template void Neighbourhood::fill(Neighbours<float, 2>&, exec::Side) const;
 template void Neighbourhood::fill(Neighbours<double, 2>&, exec::Side) const;

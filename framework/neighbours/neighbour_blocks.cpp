@@ -163,8 +163,8 @@ void NeighbourBlocks::find(const Neighbours<Real, Dim>& grid, double range) {
 
 // Twice: to count the blocks of each point, and to store them.
 template <class Real, int Dim>
-void NeighbourBlocks::find_around(const Neighbours<Real, Dim>& grid, const std::array<std::vector<double>, 3>& local,
-                                  const std::vector<std::array<int, 3>>& cell, double range) {
+void NeighbourBlocks::find_around(const Neighbours<Real, Dim>& grid, const std::array<const double*, 3>& local,
+                                  std::span<const std::array<int, 3>> cell, double range) {
   const Search<Real, Dim> search(grid, range);
   find_offsets(grid.width, Dim);
   const auto points = static_cast<Index>(cell.size());
@@ -225,11 +225,11 @@ template void NeighbourBlocks::find(const Neighbours<double, 2>&, double);
 template void NeighbourBlocks::find(const Neighbours<float, 3>&, double);
 template void NeighbourBlocks::find(const Neighbours<double, 3>&, double);
 
-using Local = std::array<std::vector<double>, 3>;
-using Cells = std::vector<std::array<int, 3>>;
-template void NeighbourBlocks::find_around(const Neighbours<float, 2>&, const Local&, const Cells&, double);
-template void NeighbourBlocks::find_around(const Neighbours<double, 2>&, const Local&, const Cells&, double);
-template void NeighbourBlocks::find_around(const Neighbours<float, 3>&, const Local&, const Cells&, double);
-template void NeighbourBlocks::find_around(const Neighbours<double, 3>&, const Local&, const Cells&, double);
+using Local = std::array<const double*, 3>;
+using Cells = std::span<const std::array<int, 3>>;
+template void NeighbourBlocks::find_around(const Neighbours<float, 2>&, const Local&, Cells, double);
+template void NeighbourBlocks::find_around(const Neighbours<double, 2>&, const Local&, Cells, double);
+template void NeighbourBlocks::find_around(const Neighbours<float, 3>&, const Local&, Cells, double);
+template void NeighbourBlocks::find_around(const Neighbours<double, 3>&, const Local&, Cells, double);
 
 }  // namespace mesogen

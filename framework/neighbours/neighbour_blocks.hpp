@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "exec/large_pages.hpp"
@@ -23,8 +24,8 @@ struct MESOGEN_EXPORT NeighbourBlocks {
 
   /// The same for points anywhere in the box: the n-th lies in cell[n], at local[d][n] relative to its tile, m.
   template <class Real, int Dim>
-  void find_around(const Neighbours<Real, Dim>& grid, const std::array<std::vector<double>, 3>& local,
-                   const std::vector<std::array<int, 3>>& cell, double range);
+  void find_around(const Neighbours<Real, Dim>& grid, const std::array<const double*, 3>& local,
+                   std::span<const std::array<int, 3>> cell, double range);
 
   /// How many a particle has on average, where particles are evenly spread, for memory to be foretold.
   /// `range` and `row`, the height of cells, in particle spacings; `width` of a block.

@@ -196,7 +196,7 @@ template <class Real>
 void DerivedFields::stage(Field& latest, exec::StageArguments<Real> arguments, Field& room) {
   if (!weights_) laplacian(latest, room);
   if (weights_) refresh_for_sums(latest);
-  // What stands at walls is made on the host: only now is there a pointer that holds.
+  // What stands at walls may be made on the host: only now is there a pointer that holds.
   arguments.latest = std::as_const(latest).view<Real>(exec::Side::device);
   if (!weights_)
     return state_.backend.fields<Real>().stage(arguments, std::as_const(room).view<Real>(exec::Side::device),

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+
 #include "fields/rule_view.hpp"
 #include "mesogen/fields/field_view.hpp"
 #include "mesogen/sph/neighbours.hpp"
@@ -17,7 +19,8 @@
 ///   the gradient of a pressure that is the same on both sides of the wall, and a fluid at rest stays so.
 namespace mesogen::sph {
 
-/// Points, and the particles around them by blocks; see Neighbours. On the host.
+/// Points, and the particles around them: by blocks for code of the host, by runs for other code; see Neighbours. All
+/// pointers are to where that code runs.
 template <int Dim>
 struct MirrorPoints {
   Index count;
@@ -25,16 +28,20 @@ struct MirrorPoints {
   const double* to_wall[Dim];  ///< from the point to the wall particle, m
   const double* normal[Dim];   ///< of the wall's surface between the two, into the fluid
   const double* curvature;     ///< likewise, 1/m; see WallParticle
-  const double* offset[Dim];   ///< by shift of a block, as in Neighbours
+  const std::array<int, 3>* cell;
+  const double* offset[Dim];  ///< by shift of a block, as in Neighbours
   const std::int64_t* block_begin;
   const NeighbourBlock* block;
+  const Index* run_begin;
+  const NeighbourRun* run;
+  const Index* row_begin;  ///< of each group of points; see mirror_runs.hpp
 };
 
 enum class MirrorFit { linear, curved };
 
-/// Finds the weight of each particle at each point, lane by lane of its blocks; zero in lanes outside the support. What
-/// weights of a curved field lack to 1 is the weight of the wall's own value. Where particles do not span a linear
-/// function their weighted mean is taken.
+/// Finds the weight of each particle at each point, lane by lane of its blocks, on the host; zero in lanes outside the
+/// support. What weights of a curved field lack to 1 is the weight of the wall's own value. Where particles do not span
+/// a linear function their weighted mean is taken.
 template <class Real, int Dim>
 MESOGEN_EXPORT void find_mirror_weights(MirrorFit fit, const Neighbours<Real, Dim>& neighbours,
                                         const MirrorPoints<Dim>& points, const SmoothingKernel& kernel, double* weight);
@@ -52,7 +59,8 @@ struct CurvedValues {
   const double* at_wall = nullptr;       ///< by wall particle, then component
 };
 
-/// Values of the n-th wall particle, at place first + n: those seen at the n-th point, then by the n-th rule.
+/// Values of the n-th wall particle, at place first + n: those seen at the n-th point, then by the n-th rule. On the
+/// host, by blocks.
 template <class Real, int Dim>
 MESOGEN_EXPORT void refresh_walls(const MirrorPoints<Dim>& points, const MirrorWeights& weights,
                                   const CurvedValues& curved, const RuleView& rules, FieldView<Real> field,

@@ -17,12 +17,14 @@ namespace mesogen::test {
 /// nvcc.
 class EmulatedDevice final : public exec::BackendImpl {
  public:
-  explicit EmulatedDevice(exec::EmulatedMemory& memory)
-      : BackendImpl(exec::Space{}), memory_(memory), cells_(reductions()), mesh_(memory) {}
+  /// `host_code`: as code of the host is, it goes by blocks. Otherwise neighbours and values at walls go by runs; sums
+  /// over pairs, which only nvcc compiles for runs, cannot be asked for then.
+  explicit EmulatedDevice(exec::EmulatedMemory& memory, bool host_code = true)
+      : BackendImpl(exec::Space{}), memory_(memory), host_code_(host_code), cells_(reductions()), mesh_(memory) {}
 
   [[nodiscard]] std::string device() const override { return "the host, for a test"; }
   [[nodiscard]] exec::DeviceMemory* memory() const override { return &memory_; }
-  [[nodiscard]] bool has_host_code() const override { return true; }
+  [[nodiscard]] bool has_host_code() const override { return host_code_; }
   void finish() const override {}
   [[nodiscard]] const exec::CellLoops& cells() const override { return cells_; }
   [[nodiscard]] const mesh::DeviceMesh* mesh() const override { return &mesh_; }
@@ -40,6 +42,7 @@ class EmulatedDevice final : public exec::BackendImpl {
 
  private:
   exec::EmulatedMemory& memory_;
+  bool host_code_;
   exec::HostCellLoops cells_;
   mesh::EmulatedMesh mesh_;
 };

@@ -7,7 +7,7 @@ namespace mesogen::sph {
 
 /// Solves A x = b for a symmetric matrix (upper triangle); false where a pivot is below this part of the trace.
 template <int Dim>
-bool solve(const double* upper, const double (&b)[Dim], double degenerate, double (&x)[Dim]) {
+MESOGEN_HOST_DEVICE bool solve(const double* upper, const double (&b)[Dim], double degenerate, double (&x)[Dim]) {
   double least = 0.0;
   for (int d = 0; d < Dim; ++d) least += degenerate * upper[symmetric_index<Dim>(d, d)];
   double lower[Dim][Dim];  // A = L D L^T
@@ -44,7 +44,7 @@ struct Linear {
 /// From the moments of the particles around a point: sum of W, of W d, of W dd (upper triangle). `degenerate`:
 /// particles whose spread across a line is below this part of the whole lie on it.
 template <int Dim>
-Linear<Dim> fit_linear(const double* moment, double degenerate) {
+MESOGEN_HOST_DEVICE Linear<Dim> fit_linear(const double* moment, double degenerate) {
   Linear<Dim> weight;
   const double sum = moment[0];
   if (!(sum > 0.0)) return weight;

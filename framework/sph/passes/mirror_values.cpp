@@ -1,14 +1,13 @@
 #include "sph/mirror_values.hpp"
 
-// On the host alone: what it reads and writes is shared with a device.
+// On the host alone: a device goes by runs (mirror_runs.cpp).
 #ifndef __CUDACC__
 
 #include <array>
 
 #include "mesogen/exec/for_each.hpp"
 #include "mesogen/sph/kernel_function.hpp"
-#include "mesogen/sph/small_matrix.hpp"
-#include "sph/passes/linear_fit.hpp"
+#include "sph/passes/mirror_fit.hpp"
 
 namespace mesogen::sph {
 
@@ -39,7 +38,7 @@ struct KernelValue {
 template <MirrorFit fit, class Real, int Dim>
 struct WeightLoop {
   static constexpr int width = NeighbourBlock::width<Real>;
-  static constexpr int moments = 1 + Dim + symmetric_components<Dim>;
+  using Fitting = MirrorFitting<fit, Dim>;
   using Ways = std::array<Doubles<Real>, Dim>;
 
   Neighbours<Real, Dim> neighbours;
@@ -50,40 +49,23 @@ struct WeightLoop {
   double* weight;
 
   void operator()(Index n) const {
-    const Wall wall = wall_of(n);
-    Lane sums[moments] = {};
+    const Fitting fitting{MirroredWall<Dim>(points, n, length)};
+    Lane sums[Fitting::moments] = {};
     Ways way;
     visit(
         n, way, [&](const NeighbourBlock& block, int lane, double* to) __attribute__((always_inline)) {
           Lane square;
           exec::load(beyond + width - block.lanes + lane, square);
-          for (int d = 0; d < Dim; ++d) square = square + way[d][lane] * way[d][lane];
-          Lane value = kernel(exec::square_root(square) * length);
-          Lane from[Dim];  // the way from where the fit is evaluated
-          for (int d = 0; d < Dim; ++d) from[d] = way[d][lane];
-          if constexpr (fit == MirrorFit::curved) {
-            const Lane distance = wall.distance(from);
-            exec::store(value * distance, to);
-            value = value * distance * distance;
-            for (int d = 0; d < Dim; ++d) from[d] = from[d] - wall.at[d];
-          } else {
-            exec::store(value, to);
+          Lane from[Dim];
+          for (int d = 0; d < Dim; ++d) {
+            from[d] = way[d][lane];
+            square = square + from[d] * from[d];
           }
-          sums[0] = sums[0] + value;
-          for (int a = 0; a < Dim; ++a) {
-            const Lane first = value * from[a];
-            sums[1 + a] = sums[1 + a] + first;
-            for (int b = a; b < Dim; ++b) {
-              Lane& sum = sums[1 + Dim + symmetric_index<Dim>(a, b)];
-              sum = sum + first * from[b];
-            }
-          }
+          exec::store(fitting.add(kernel(exec::square_root(square) * length), from, sums), to);
         });
-    double moment[moments];
+    double moment[Fitting::moments];
     exec::sum_lanes(sums, moment);
-    // A curved fit is evaluated far from its particles, so those near a line would be magnified.
-    Linear<Dim> factor = fit_linear<Dim>(moment, fit == MirrorFit::curved ? 1e-3 : 1e-8);
-    if constexpr (fit == MirrorFit::curved) factor = wall.seen(factor);
+    const Linear<Dim> factor = fitting.solve(moment);
     visit(
         n, way, [&](const NeighbourBlock&, int lane, double* to) __attribute__((always_inline)) {
           Lane value;
@@ -95,49 +77,6 @@ struct WeightLoop {
   }
 
  private:
-  /// The wall particle of a mirror point, in smoothing lengths from there; its surface is taken as round.
-  struct Wall {
-    double at[Dim];
-    double normal[Dim];
-    double depth;
-    double curvature;
-
-    /// How far a particle is from the surface; zero behind it.
-    [[gnu::always_inline]] Lane distance(const Lane* way) const {
-      Lane along(0.0);
-      Lane square(0.0);
-      for (int d = 0; d < Dim; ++d) {
-        along = along + way[d] * normal[d];
-        square = square + way[d] * way[d];
-      }
-      const Lane from_plane = along + depth;
-      const Lane bent = exec::positive_part(from_plane * curvature + 1.0);  // 0 beyond the centre of a hollow
-      const Lane aside = (square - along * along) * curvature;
-      const Lane root = exec::square_root(exec::positive_part(bent * bent + aside * curvature));
-      return exec::positive_part(from_plane + aside / (bent + root + 1e-12));
-    }
-    /// depth * l, as a function of the way from the mirror point.
-    [[nodiscard]] Linear<Dim> seen(const Linear<Dim>& l) const {
-      Linear<Dim> result{depth * l.constant, {}};
-      for (int d = 0; d < Dim; ++d) {
-        result.slope[d] = depth * l.slope[d];
-        result.constant -= result.slope[d] * at[d];
-      }
-      return result;
-    }
-  };
-
-  [[nodiscard]] Wall wall_of(Index n) const {
-    Wall wall{};
-    for (int d = 0; d < Dim; ++d) {
-      wall.at[d] = points.to_wall[d][n] / length;
-      wall.normal[d] = points.normal[d][n];
-      wall.depth -= 0.5 * wall.at[d] * wall.normal[d];
-    }
-    wall.curvature = points.curvature[n] * length;
-    return wall;
-  }
-
   /// action(block, lane, weights from there on) for each pack of each block around a point; `way`: from the point to
   /// the particles of the block, in smoothing lengths.
   template <class Action>

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "../run/active_scene.hpp"
+#include "counting_memory.hpp"
 #include "emulated_device.hpp"
 #include "png_file.hpp"
 #include "run/closest_pair.hpp"
@@ -161,19 +162,6 @@ TEST(EmulatedDevice, RunsAFlowOnAMesh) {
     EXPECT_EQ(emulated, velocity(precision, device.additions(everybody)));
   }
 }
-
-class CountingMemory final : public exec::EmulatedMemory {
- public:
-  void to_device(void* device, const void* host, std::size_t bytes) override {
-    copied += bytes;
-    EmulatedMemory::to_device(device, host, bytes);
-  }
-  void to_host(void* host, const void* device, std::size_t bytes) override {
-    copied += bytes;
-    EmulatedMemory::to_host(host, device, bytes);
-  }
-  std::size_t copied = 0;
-};
 
 // Sums over the mesh and means, whatever the number of particles: no field, no modes. (Where particles are sorted,
 // which is not in every step, this device looks for neighbours on the host.)
