@@ -36,6 +36,9 @@ SCENES = {
     "copies": MOVING,
     "wrapped": MOVING.replace("periodic_ghosts", "periodic_wrap"),
     "walls": CASE.replace('boundary = "periodic_ghosts"', 'boundary = { type = "walls" }'),
+    "a solid": CASE.replace("end = 0.1", "end = 0.5") +
+               '[solids.pillar]\nshape = "disc"\ncentre = [0.8, 0.8]\nradius = 0.3\nfluid = "outside"\n'
+               'angular_velocity = 0.5\n',
     "single precision": CASE.replace('"double"', '"single"'),
     "Eulerian": CASE.replace("viscosity = 0.5", 'viscosity = 0.5\nmotion = "eulerian"'),
     "pairs": CASE.replace("activity = 0.05", 'activity = 0.05\nform = "conservative"') +

@@ -1,7 +1,6 @@
 // The same functors on the host and on a CUDA device: pair sums of the framework and of wcsph over disordered particles
-// in a wrapped box. Exits with 77 where there is no device (ctest: skipped), after the host results were checked
-// against exact ones. Needs no more than the headers and the cell grid, so it also builds where the other libraries are
-// missing.
+// in a wrapped box; and what the backend of the device finds at walls. Exits with 77 where there is no device (ctest:
+// skipped), after the host results were checked against exact ones.
 
 #include <cuda_runtime.h>
 
@@ -20,6 +19,7 @@
 #include "reductions.hpp"
 #include "sph/passes/derivatives.hpp"
 #include "sph/passes/neighbour_runs.hpp"
+#include "walls.hpp"
 
 namespace {
 
@@ -254,7 +254,7 @@ int main() {
   const bool there = cudaGetDeviceCount(&devices) == cudaSuccess && devices > 0;
   if (!mesogen::test::spectrum_asks_for_a_device()) return 1;
   const bool good = agree<double>(64, there, 1e-11) && agree<float>(64, there, 1e-3) && agree<float>(500, there, 1e-2);
-  if (!good || (there && !mesogen::test::reductions_are_right())) return 1;
+  if (!good || (there && !(mesogen::test::reductions_are_right() && mesogen::test::walls_are_right()))) return 1;
   if (!there) std::printf("no CUDA device here: the device part was skipped\n");
   return there ? 0 : skipped;
 }

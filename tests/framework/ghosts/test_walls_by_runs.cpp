@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -17,12 +16,6 @@ namespace {
 
 using namespace mesogen;
 using namespace mesogen::test;
-
-double largest(const std::vector<double>& values) {
-  double most = 0.0;
-  for (const double value : values) most = std::max(most, std::abs(value));
-  return most;
-}
 
 class WallsByRuns : public testing::TestWithParam<std::tuple<const char*, Continuation, Precision>> {
  protected:

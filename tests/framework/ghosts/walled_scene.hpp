@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
@@ -144,6 +145,12 @@ inline const std::map<std::string, Kind> kinds = {
     {"stress", {FieldKind{Rank::matrix, FieldRole::derived, 2}, 4}},
     {"anything", {std::nullopt, 6}},
 };
+
+inline double largest(const std::vector<double>& values) {
+  double most = 0.0;
+  for (const double value : values) most = std::max(most, std::abs(value));
+  return most;
+}
 
 /// Its fields have values, and particles are sorted.
 class Walled {
