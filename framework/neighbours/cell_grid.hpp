@@ -77,16 +77,18 @@ class MESOGEN_EXPORT CellGrid {
   [[nodiscard]] MESOGEN_HOST_DEVICE int padded_index_of(int number) const {
     int index = 0;
     int cells_before = 1;
-    exec::for_axes(dimension_, [&](auto d) {
-      index += (number % cells_[d] + padding_[d]) * cells_before;
-      number /= cells_[d];
-      cells_before *= cells_[d] + 2 * padding_[d];
-    });
+    exec::for_axes(
+        dimension_, [&](auto d) __attribute__((always_inline)) {
+          index += (number % cells_[d] + padding_[d]) * cells_before;
+          number /= cells_[d];
+          cells_before *= cells_[d] + 2 * padding_[d];
+        });
     return index;
   }
   [[nodiscard]] MESOGEN_HOST_DEVICE int inside_count() const {
     int count = 1;
-    for (int d = 0; d < dimension_; ++d) count *= cells_[d];
+    exec::for_axes(
+        dimension_, [&](auto d) __attribute__((always_inline)) { count *= cells_[d]; });
     return count;
   }
   /// The cell of such an index.

@@ -18,9 +18,6 @@ KERNEL = re.compile(
     r"Used (?P<registers>\d+) registers", re.DOTALL)
 # Bytes of local memory that a kernel may take after all, by its name.
 LOCAL_MEMORY = {
-    # Once per sorting.
-    "FindRanges": 104,
-    "TakeForce": 8,
     # Of some sums in double precision the compiler puts one or two numbers there, though registers are left.
     "DerivativeLoopId": 64,
 }

@@ -58,13 +58,12 @@ struct TakeForce {
   std::array<Complex*, Dim> newer;
 
   MESOGEN_HOST_DEVICE void operator()(std::size_t n, const std::array<double, Dim>& k) const {
+    // First, so that the values need not be kept while others are computed.
+    exec::unroll<Dim>([&](auto d) { older[d][n] = newer[d][n]; });
     Complex a[Dim];
     exec::unroll<Dim>([&](auto d) { a[d] = acceleration[d][n]; });
     project<Dim>(k, a);
-    exec::unroll<Dim>([&](auto d) {
-      older[d][n] = newer[d][n];
-      newer[d][n] = a[d];
-    });
+    exec::unroll<Dim>([&](auto d) { newer[d][n] = a[d]; });
   }
 };
 
