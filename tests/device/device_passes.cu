@@ -1,6 +1,7 @@
 // The same functors on the host and on a CUDA device: pair sums of the framework and of wcsph over disordered particles
-// in a wrapped box; and what the backend of the device finds at walls. Exits with 77 where there is no device (ctest:
-// skipped), after the host results were checked against exact ones.
+// in a wrapped box. Exits with 77 where there is no device (ctest: skipped), after the host results were checked
+// against exact ones. Then what the backend of the device finds at walls; and what it offers a mesh, or with
+// MESOGEN_CUDA_ON_HOST = 1 the host in its place.
 
 #include <cuda_runtime.h>
 
@@ -255,6 +256,7 @@ int main() {
   if (!mesogen::test::spectrum_asks_for_a_device()) return 1;
   const bool good = agree<double>(64, there, 1e-11) && agree<float>(64, there, 1e-3) && agree<float>(500, there, 1e-2);
   if (!good || (there && !(mesogen::test::reductions_are_right() && mesogen::test::walls_are_right()))) return 1;
+  if (!mesogen::test::meshes_are_right(there)) return 1;
   if (!there) std::printf("no CUDA device here: the device part was skipped\n");
   return there ? 0 : skipped;
 }

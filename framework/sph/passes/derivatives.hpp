@@ -52,10 +52,13 @@ class DerivativeLoop {
           [&](auto c) { put(weight[Fit::correction + c], &wanted_.correction(c, first), members); });
     if constexpr (Count > 0) {
       Weights weights(weight);
+      const Correction correction(weight + Fit::correction);
       for (int k = 0; k < members; ++k) sum_scalars(first, k, kept, weights, sums);
       Lane sum[scalar_sums];
       sums.read(members, sum);
-      finish(sum, weight, first, members);
+      Lane of_gradient[Dim * Dim];
+      correction.read(of_gradient);
+      finish(sum, of_gradient, first, members);
     }
   }
 
@@ -89,6 +92,32 @@ class DerivativeLoop {
     MESOGEN_HOST_DEVICE explicit Weights(const Lane* pack) {
       exec::unroll<Fit::weight_count>([&](auto n) { exec::store(pack[n], of[n]); });
     }
+  };
+
+  /// Nobody reads it until all neighbours were visited. On a device it waits in shared memory: in registers it takes
+  /// the room of sums, which the compiler then puts into local memory.
+  class Correction {
+   public:
+    MESOGEN_HOST_DEVICE explicit Correction(const Lane* pack) {
+      exec::unroll<Dim * Dim>([&](auto c) { at(c) = pack[c]; });
+    }
+    MESOGEN_HOST_DEVICE void read(Lane* pack) const {
+      exec::unroll<Dim * Dim>([&](auto c) { pack[c] = at(c); });
+    }
+
+   private:
+#ifdef __CUDA_ARCH__
+    // Volatile, or the compiler keeps a copy in registers.
+    __device__ static volatile Real& at(int c) {
+      __shared__ volatile Real all[Dim * Dim][exec::LoopBlocks::size];
+      return all[c][threadIdx.x];
+    }
+#else
+    Lane& at(int c) { return of_[c]; }
+    const Lane& at(int c) const { return of_[c]; }
+
+    Lane of_[Dim * Dim];
+#endif
   };
 
   MESOGEN_HOST_DEVICE static void put(const Lane& pack, Real* to, int members) {
@@ -136,7 +165,7 @@ class DerivativeLoop {
     });
   }
 
-  MESOGEN_HOST_DEVICE void finish(const Lane* sum, const Lane* weight, Index first, int members) const {
+  MESOGEN_HOST_DEVICE void finish(const Lane* sum, const Lane* correction, Index first, int members) const {
     exec::unroll<Count>([&](auto n) {
       const Lane* const own = sum + n * per_scalar;
       if constexpr (Fit::gives_laplacian)
@@ -144,7 +173,7 @@ class DerivativeLoop {
       if (wanted_.gradient[n][0] == nullptr) return;
       exec::unroll<Dim>([&](auto a) {
         Lane component(Real(0));
-        for (int b = 0; b < Dim; ++b) component = component + weight[Fit::correction + a * Dim + b] * own[b];
+        for (int b = 0; b < Dim; ++b) component = component + correction[a * Dim + b] * own[b];
         put(component, wanted_.gradient[n][a] + first, members);
       });
     });
