@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "mesogen/nematics/instability.hpp"
+#include "mesogen/nematics/numbers.hpp"
 #include "mesogen/text/formatted.hpp"
 
 namespace mesogen::nematics {
@@ -77,6 +78,9 @@ void advise_on_cores(const AdviceContext& context, std::vector<Suggestion>& list
   if (spacings < many_spacings || std::abs(context.scene.constant("activity")) > -context.scene.constant("bulk_A"))
     return;
   const double coarser = spacings / good_spacings;
+  const double length = active_length(context.scene);
+  if (!context.scene.endless() && length > 0.0 && length < few_in_active_length * coarser * context.scene.spacing)
+    return;
   list.push_back(
       {"core_over_resolved",
        formatted("the core of a defect, xi, is %.2g spacings, finer than needed for the order in it", spacings),

@@ -44,8 +44,9 @@ def look(place, out, report):
                                            f"{told['launch_and_wait_us']:.2f} us with a wait")
     apart, graph, unchanged = (told[f"step_of_30_kernels{how}_us"]
                                for how in ("", "_in_a_graph", "_in_an_unchanged_graph"))
-    report.line("30 kernels and a wait", PASS, f"{apart:.0f} us started one by one, {graph:.0f} us in a CUDA graph that "
-                                               f"is brought up to date, {unchanged:.0f} us in one that is not")
+    report.line("30 kernels and a wait", PASS,
+                f"{apart:.0f} us started one by one, {graph:.0f} us in a CUDA graph that is brought up to date, "
+                f"{unchanged:.0f} us in one that is not")
 
 
 def gigabytes(told, which):

@@ -57,6 +57,7 @@ bool Snapshot::begin_fetch(const std::vector<Source>& sources, std::size_t bytes
     }
     fetch_->begin(staging, bytes);
   } catch (const Error&) {
+    staging_ = Array<std::byte>(memory_);  // its room is better used by the run
     return false;
   }
   return true;

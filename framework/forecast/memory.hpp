@@ -15,7 +15,7 @@ struct MESOGEN_EXPORT MemoryForecast {
     double bytes = 0.0;
   };
   std::vector<Item> lasting;       ///< as long as the run lasts
-  std::vector<Item> now_and_then;  ///< never two at a time: a checkpoint, a frame
+  std::vector<Item> now_and_then;  ///< one at a time, but for the end of a run: a checkpoint, a frame
 
   /// All that lasts and the largest of the rest, bytes.
   [[nodiscard]] double peak() const;

@@ -13,6 +13,7 @@
 #include "output/run_folder.hpp"
 #include "output/write_file.hpp"
 #include "output/xdmf.hpp"
+#include "plugin/crash.hpp"
 
 namespace mesogen {
 
@@ -47,8 +48,10 @@ void write_views_of(const ResultsOptions& options, const output::ResultsContent&
   output::write_file(options.folder / "results.xdmf", output::xdmf_text(options, content, output::Layout::views));
 }
 
-/// Its last frame, and then the views of all.
-void write_last_frame(TakenFrame frame, const ResultsOptions& options, const output::ResultsContent& content) {
+/// Its last frame, and then the views of all. What it works on is its own: meanwhile samples come in, and the writer of
+/// results may move.
+void write_last_frame(TakenFrame frame, const ResultsOptions options, const output::ResultsContent content) {
+  tell_of_crashes_in_this_thread();
   frame.fill(frame.fields);
   check_rows(frame.fields, options.count);
   const std::string name = output::frame_name(content.frames.size() - 1);
@@ -121,10 +124,12 @@ void ResultsWriter::add_frame(TakenFrame frame, std::int64_t step, double time) 
   if (!content_.frames.empty() && shapes != content_.fields)
     throw Error(ExitCode::bad_case, "the frames already in " + options_.folder.string() +
                                         " hold other fields; keep output.fields as it was, or start a new run");
+  output::ResultsContent with_frame = content_;
+  with_frame.fields = shapes;
+  with_frame.frames.push_back({step, time});
+  writing_ = std::async(std::launch::async, write_last_frame, std::move(frame), options_, std::move(with_frame));
   content_.fields = std::move(shapes);
   content_.frames.push_back({step, time});
-  // What it works on is its own: samples come in, and this object may move, while it writes.
-  writing_ = std::async(std::launch::async, write_last_frame, std::move(frame), options_, content_);
   changed_ = false;
 }
 

@@ -37,6 +37,8 @@ namespace {
 std::atomic<int> report_to{-1};
 std::atomic<const CrashAdvice*> advice{nullptr};
 const CallUnderWay* const* innermost_of_main_thread = nullptr;
+// Of a thread that works beside the main thread, not for it.
+constinit thread_local bool is_by_itself __attribute__((tls_model("initial-exec"))) = false;
 std::atomic_flag told = ATOMIC_FLAG_INIT;
 bool on_terminal = false;
 
@@ -57,7 +59,8 @@ void put(std::string_view text) {
 
 /// The list of calls that a crash in this thread belongs to, or null.
 const CallUnderWay* calls_under_way() {
-  if (CallUnderWay::innermost != nullptr || innermost_of_main_thread == nullptr) return CallUnderWay::innermost;
+  if (CallUnderWay::innermost != nullptr || innermost_of_main_thread == nullptr || is_by_itself)
+    return CallUnderWay::innermost;
   return *innermost_of_main_thread;
 }
 
@@ -190,6 +193,11 @@ void tell_of_crashes(int file) {
   innermost_of_main_thread = &CallUnderWay::innermost;
   std::atexit(on_exit_within_plugin);
   install();
+}
+
+void tell_of_crashes_in_this_thread() {
+  is_by_itself = true;
+  if (report_to.load() >= 0) use_signal_stack();
 }
 
 void tell_of_crashes_in_threads() {

@@ -19,6 +19,10 @@ namespace mesogen {
 /// that the main thread is in.
 MESOGEN_EXPORT void tell_of_crashes(int file);
 
+/// For a thread that works beside the main thread: its crash has nothing to do with the call that the main thread is
+/// in.
+MESOGEN_EXPORT void tell_of_crashes_in_this_thread();
+
 /// Lets the threads of the next parallel loops tell of an overflow of their own stacks too. Does nothing before
 /// tell_of_crashes.
 MESOGEN_EXPORT void tell_of_crashes_in_threads();

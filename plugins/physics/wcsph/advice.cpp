@@ -18,8 +18,10 @@ constexpr double worthwhile = 1.5;  // times fewer steps: below, the error is no
 // mean square against Stokes flow of the same stress: 6 to 8 % with 3.5 spacings, 1.9 % with 7; docs/flows.md).
 constexpr double error_of_flow = 0.9;
 
-constexpr double few_spacings = 5.0;   // in an active length
-constexpr double good_spacings = 7.0;  // 1.8 % off
+constexpr double good_spacings = 7.0;  // in an active length: 1.8 % off
+
+// Where it takes more than these, a smaller spacing is no help.
+constexpr double most_particles = 2e7;
 
 // By the fluid's mass, which a creeping flow does not feel, viscosity binds explicit steps, and asks for stages of
 // stabilised ones: for as many as the square root of what it would bind them by.
@@ -68,16 +70,27 @@ void advise_on_sound(const FlowChoice& flow, const AdviceContext& context, std::
 void advise_on_spacing(const AdviceContext& context, std::vector<Suggestion>& list) {
   const Scene& scene = context.scene;
   const double spacings = nematics::active_length(scene) / scene.spacing;
-  if (scene.endless() || !(spacings > 0.0) || spacings >= few_spacings) return;
+  if (scene.endless() || !(spacings > 0.0) || spacings >= nematics::few_in_active_length) return;
   const auto percent = [](double number) { return 100.0 * error_of_flow / (number * number); };
+  const std::string finding =
+      formatted("the active length is only %.2g spacings: between walls the velocity is off by ", spacings) +
+      (spacings < 2.0 ? "more than 20 %" : formatted("some %.2g %%", percent(spacings)));
   const double wanted = context.fitting_spacing(scene.spacing * spacings / good_spacings);
-  list.push_back(
-      {"flow_under_resolved",
-       formatted("the active length is only %.2g spacings: between walls the velocity is off by some %.2g %%", spacings,
-                 percent(spacings)),
-       {formatted("particles.spacing=%.12g", wanted)},
-       formatted("the velocity is off by some %.2g %%, with %.2g times as many particles", percent(good_spacings),
-                 std::pow(scene.spacing / wanted, scene.dimension))});
+  const double more = std::pow(scene.spacing / wanted, scene.dimension);
+  if (more * static_cast<double>(scene.particle_count) > most_particles) {
+    list.push_back({"flow_under_resolved",
+                    finding,
+                    {},
+                    formatted("an active length of %.2g spacings needs %.2g times as many particles; instead, choose a "
+                              "smaller box, a smaller activity or a larger elastic constant",
+                              good_spacings, more)});
+  } else {
+    list.push_back({"flow_under_resolved",
+                    finding,
+                    {formatted("particles.spacing=%.12g", wanted)},
+                    formatted("the velocity is off by some %.2g %%, with %.2g times as many particles",
+                              percent(good_spacings), more)});
+  }
 }
 
 // An incompressible flow, where what sound and viscosity allow is far below what motion and the rest of the physics

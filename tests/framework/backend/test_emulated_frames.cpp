@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "../run/active_scene.hpp"
+#include "counting_memory.hpp"
 #include "emulated_device.hpp"
 #include "run/observation.hpp"
 #include "test_plugins.hpp"
@@ -16,20 +17,6 @@ namespace {
 
 using namespace mesogen;
 using namespace mesogen::test;
-
-/// Counts what comes to the host while the device waits. While frames are taken it may have no room.
-class WatchedMemory final : public exec::EmulatedMemory {
- public:
-  void to_host(void* host, const void* device, std::size_t bytes) override {
-    waited_for += bytes;
-    EmulatedMemory::to_host(host, device, bytes);
-  }
-  std::size_t waited_for = 0;
-  bool full = false;
-
- protected:
-  [[nodiscard]] void* take(std::size_t bytes) override { return full ? nullptr : EmulatedMemory::take(bytes); }
-};
 
 using Frames = std::map<std::string, std::vector<double>>;  // by step and field
 
@@ -81,7 +68,7 @@ TEST_P(EmulatedFrames, AreThoseOfTheHost) {
     expect_same(frames_of(text, {}, taken_by), host);
     for (const bool full : {false, true})
       for (const bool on_device : {true, false}) {
-        WatchedMemory memory;
+        CountingMemory memory;
         const EmulatedDevice device(memory);
         const auto additions = device.additions([on_device](const std::string&) { return on_device; });
         expect_same(frames_of(text, additions,
@@ -100,13 +87,13 @@ INSTANTIATE_TEST_SUITE_P(All, EmulatedFrames, testing::Values("periodic_ghosts",
                          [](const auto& set) { return std::string(set.param); });
 
 TEST(EmulatedFrame, IsNotWaitedFor) {
-  WatchedMemory memory;
+  CountingMemory memory;
   const EmulatedDevice device(memory);
   const auto additions = device.additions([](const std::string&) { return true; });
   const Frames frames = frames_of(scene("single", "periodic_ghosts"), additions, [&](Observation& observation) {
-    const std::size_t before = memory.waited_for;
+    const std::size_t before = memory.brought;
     TakenFrame taken = taken_by(observation);
-    EXPECT_EQ(memory.waited_for, before);
+    EXPECT_EQ(memory.brought, before);
     return taken;
   });
   EXPECT_FALSE(frames.empty());

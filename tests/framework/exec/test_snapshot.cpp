@@ -10,7 +10,7 @@
 #include <cstring>
 #include <vector>
 
-#include "exec/emulated_memory.hpp"
+#include "counting_memory.hpp"
 
 namespace {
 
@@ -19,20 +19,7 @@ using exec::Access;
 using exec::Array;
 using exec::Side;
 using exec::Snapshot;
-
-/// Counts what comes to the host while the device waits, and may have no room.
-class WatchedMemory final : public exec::EmulatedMemory {
- public:
-  void to_host(void* host, const void* device, std::size_t bytes) override {
-    waited_for += bytes;
-    EmulatedMemory::to_host(host, device, bytes);
-  }
-  std::size_t waited_for = 0;
-  bool full = false;
-
- protected:
-  [[nodiscard]] void* take(std::size_t bytes) override { return full ? nullptr : EmulatedMemory::take(bytes); }
-};
+using test::CountingMemory;
 
 template <class T>
 std::vector<T> copy_at(const std::byte* place, std::size_t count) {
@@ -67,7 +54,7 @@ void expect_kept(const Snapshot& snapshot, double value) {
 }
 
 TEST(Snapshot, HoldsValuesAsTheyWere) {
-  WatchedMemory memory;
+  CountingMemory memory;
   Values values(&memory);
   ASSERT_FALSE(values.numbers.is_on(Side::host));
   Snapshot snapshot(&memory);
@@ -77,12 +64,12 @@ TEST(Snapshot, HoldsValuesAsTheyWere) {
     values.set(-1.0);
     expect_kept(snapshot, value);
   }
-  EXPECT_EQ(memory.waited_for, 0U);
+  EXPECT_EQ(memory.brought, 0U);
   EXPECT_FALSE(values.numbers.is_on(Side::host)) << "the values themselves stay where they are";
 }
 
 TEST(Snapshot, KeepsItsRoom) {
-  WatchedMemory memory;
+  CountingMemory memory;
   Values values(&memory);
   Snapshot snapshot(&memory);
   snapshot.take(values.sources());
@@ -92,20 +79,20 @@ TEST(Snapshot, KeepsItsRoom) {
 }
 
 TEST(Snapshot, OfADeviceWithoutRoomIsWaitedFor) {
-  WatchedMemory memory;
+  CountingMemory memory;
   Values values(&memory);
   Snapshot snapshot(&memory);
   memory.full = true;
   snapshot.take(values.sources());
   values.set(-1.0);
   expect_kept(snapshot, 1.5);
-  EXPECT_EQ(memory.waited_for, 3 * sizeof(double));
+  EXPECT_EQ(memory.brought, 3 * sizeof(double));
   memory.full = false;
   values.set(7.0);
   snapshot.take(values.sources());
   values.set(-1.0);
   expect_kept(snapshot, 7.0);
-  EXPECT_EQ(memory.waited_for, 3 * sizeof(double)) << "there is room again";
+  EXPECT_EQ(memory.brought, 3 * sizeof(double)) << "there is room again";
 }
 
 TEST(Snapshot, OnTheHostIsACopy) {

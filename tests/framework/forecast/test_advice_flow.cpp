@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -157,8 +158,27 @@ TEST(Advice, ASmallerSpacingBringsTheFlowBetweenWallsNearerToStokes) {
   expect_settled(text, *found);
 }
 
+// Where a spacing that small is out of reach, it is told all the same.
+TEST(Advice, AFlowThatNoSpacingResolvesIsTold) {
+  const auto found = advised(film(2e-6), "flow_under_resolved");
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->finding,
+            "the active length is only 1.4 spacings: between walls the velocity is off by more than 20 %");
+  CaseRun run = CaseRun::unstarted(film(1e-6).nematic(1.0, 0.7, 4e-18));
+  const auto all = advice({run.setup(), forecast_steps(run.setup()), 0.0});
+  const auto hopeless =
+      std::find_if(all.begin(), all.end(), [](const Suggestion& one) { return one.name == "flow_under_resolved"; });
+  ASSERT_NE(hopeless, all.end());
+  EXPECT_TRUE(hopeless->settings.empty());
+  EXPECT_EQ(hopeless->gain,
+            "an active length of 7 spacings needs 6.1e+06 times as many particles; instead, choose a smaller box, a "
+            "smaller activity or a larger elastic constant");
+}
+
 TEST(Advice, TheSpacingIsLeftWhereItIsSmallOrThereAreNoWalls) {
   EXPECT_FALSE(advised(creeping_film(0.5e-6, ""), "flow_under_resolved"));
+  // Its cores of 5 spacings are no finer than the flow needs.
+  EXPECT_FALSE(advised(creeping_film(0.4e-6, ""), "core_over_resolved"));
   EXPECT_FALSE(advised(creeping_film(0.8e-6, "").boundary("periodic_ghosts"), "flow_under_resolved"));
   EXPECT_FALSE(advised(vortices().boundary("walls"), "flow_under_resolved"));
 }

@@ -42,12 +42,20 @@ TEST(Program, KeepsFewValues) {
 
 // Loops over several particles at a time count on it.
 TEST(Program, WritesToNoSlotThatItReads) {
-  const Program program = long_sum(20);
-  for (const exec::Instruction& one : program.code) {
-    if (one.operation < Operation::add) continue;
-    EXPECT_NE(one.to, one.a);
-    EXPECT_NE(one.to, one.b);
+  ProgramWriter writer;
+  int last = writer.coordinate(0);
+  for (int n = 0; n < 10; ++n) {
+    const int root = writer.apply(Operation::root, last);
+    const int less = writer.apply(Operation::less, root, writer.constant(n));
+    last = writer.apply(Operation::choose, less, writer.apply(Operation::negative, root), root);
   }
+  for (const Program& program : {long_sum(20), writer.finish(last)})
+    for (const exec::Instruction& one : program.code) {
+      if (one.operation < Operation::negative) continue;  // it reads no slot
+      EXPECT_NE(one.to, one.a);
+      EXPECT_TRUE(one.operation < Operation::add || one.to != one.b);
+      EXPECT_TRUE(one.operation != Operation::choose || one.to != one.c);
+    }
 }
 
 TEST(Program, KeepsWhatIsReadLater) {

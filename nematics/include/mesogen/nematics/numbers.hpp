@@ -20,6 +20,8 @@ void add_flow_numbers(const Scene& scene, std::vector<SceneNumber>& list);
 
 /// Returns l_Q = sqrt(K / |zeta|), m; 0 if the scene has no active nematic.
 double active_length(const Scene& scene);
+/// With fewer spacings in an active length a flow between walls is advised to take a smaller spacing.
+inline constexpr double few_in_active_length = 5.0;
 
 /// Returns |zeta| l_Q / mu, m/s: the speed that an active stress drives against viscosity over the active length. 0 if
 /// the scene has no active nematic in a viscous flow.
