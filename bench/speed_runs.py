@@ -112,7 +112,11 @@ def device_seconds(mesogen, across, steps, settings):
             seconds, done = told_seconds((folder / "out/run.log").read_text(encoding="utf-8"))
             return seconds * done
     few = max(2, steps // 10)
-    return (stepping(few + steps) - stepping(few)) / steps
+    for _ in range(3):
+        seconds = (stepping(few + steps) - stepping(few)) / steps
+        if seconds > 0.0:
+            return seconds
+    sys.exit(f"no time of a step can be told: three times {few + steps} steps took no longer than {few}")
 
 
 def best_of(rounds, variants, measure):

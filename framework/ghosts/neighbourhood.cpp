@@ -213,14 +213,19 @@ void Neighbourhood::make_room() {
     dispatch(scene_.precision, [&]<class Real>() { resize(local<Real>()[d]); });
 }
 
-// Coordinates relative to tiles; false if a particle has left the skin, which is looked for where `looks`.
+bool Neighbourhood::must_look(double farthest) const {
+  constexpr double rounded = 1.0 - 1e-6;  // of sums that led to `farthest`
+  return !(farthest < rounded * skin_ / 2.0);
+}
+
+// Coordinates relative to tiles.
 template <class Real>
-bool Neighbourhood::place(const exec::AxisArrays<double>& position, bool looks, exec::AxisArrays<Real>& local) const {
+exec::PlaceArguments<Real> Neighbourhood::placing(const double* const* position, bool looks) {
   exec::PlaceArguments<Real> arguments{};
   for (int d = 0; d < scene_.dimension; ++d) {
-    arguments.position[d] = position[d].device();
+    arguments.position[d] = position[d];
     arguments.sorted[d] = sorted_position_[d].device();
-    arguments.local[d] = local[d].device(Access::read_write);  // but for those behind the last
+    arguments.local[d] = local<Real>()[d].device(Access::read_write);  // but for those behind the last
   }
   arguments.count = static_cast<Index>(cell_of_.size());
   arguments.cell = cell_of_.device();
@@ -230,13 +235,27 @@ bool Neighbourhood::place(const exec::AxisArrays<double>& position, bool looks, 
   arguments.farthest_square = skin_ * skin_ / 4.0;
   arguments.walls = wall_view(device);
   arguments.ghosts = ghost_view(device);
-  return backend_.cells().place(grid_, arguments);
+  return arguments;
 }
 
+// False if a particle has left the skin, which is looked for where it may have.
 bool Neighbourhood::place(const exec::AxisArrays<double>& position, double farthest) {
-  constexpr double rounded = 1.0 - 1e-6;  // of sums that led to `farthest`
-  const bool looks = !(farthest < rounded * skin_ / 2.0);
-  return dispatch(scene_.precision, [&]<class Real>() { return place(position, looks, local<Real>()); });
+  const auto at = exec::pointers(position, device);
+  return dispatch(scene_.precision, [&]<class Real>() {
+    return backend_.cells().place(grid_, placing<Real>(at.data(), must_look(farthest)));
+  });
 }
+
+template <class Real, template <class> class Arguments>
+bool Neighbourhood::move(const Arguments<Real>& arguments, double farthest) {
+  if (backend_.has_host_code() || !neighbours_found_ || !sorted() || must_look(farthest)) return false;
+  ++version_;
+  backend_.cells().move_and_place(grid_, arguments, placing<Real>(arguments.position, false));
+  return true;
+}
+template bool Neighbourhood::move(const exec::MoveArguments<float>&, double);
+template bool Neighbourhood::move(const exec::MoveArguments<double>&, double);
+template bool Neighbourhood::move(const exec::MoveByPassesArguments<float>&, double);
+template bool Neighbourhood::move(const exec::MoveByPassesArguments<double>&, double);
 
 }  // namespace mesogen

@@ -15,6 +15,7 @@
 #include "mesogen/plugin/scene.hpp"
 #include "mesogen/sph/neighbours.hpp"
 #include "neighbours/cell_grid.hpp"
+#include "neighbours/cell_loops.hpp"
 #include "neighbours/neighbour_blocks.hpp"
 #include "particles/particles.hpp"
 
@@ -38,6 +39,12 @@ class MESOGEN_EXPORT Neighbourhood {
 
   /// The same, but keeps the order of storage; false, and neighbours out of date, if they must be sorted anew.
   bool update_without_sorting(const Particles& particles, double farthest);
+
+  /// Moves particles, by arguments of exec::FieldLoops::move, and brings neighbours up to date with that. False, with
+  /// nothing done, where particles have to be looked at first, or where there is code of the host: that moves them
+  /// faster by itself.
+  template <class Real, template <class> class Arguments>
+  bool move(const Arguments<Real>& arguments, double farthest);
 
   /// Sorts particles, and finds no neighbours: the next update() does. Returns the new order of storage.
   const exec::Array<Index>& reorder(Particles& particles);
@@ -95,7 +102,8 @@ class MESOGEN_EXPORT Neighbourhood {
     }
   }
   template <class Real>
-  [[nodiscard]] bool place(const exec::AxisArrays<double>& position, bool looks, exec::AxisArrays<Real>& local) const;
+  [[nodiscard]] exec::PlaceArguments<Real> placing(const double* const* position, bool looks);
+  [[nodiscard]] bool must_look(double farthest) const;
   [[nodiscard]] bool place(const exec::AxisArrays<double>& position, double farthest);
   void find_neighbours();
   template <class Real, int Dim>

@@ -1,6 +1,19 @@
 #include "ghosts/particle_order.hpp"
 
+#include "particles/field_loops.hpp"
+
 namespace mesogen {
+
+template <class Real, template <class> class Arguments>
+void ParticleOrder::move(const Arguments<Real>& arguments, double farthest) {
+  mark_moved(farthest);
+  moved_ = !neighbourhood_.move(arguments, farthest);
+  if (moved_) clock_.backend.fields<Real>().move(arguments, particles_.count());
+}
+template void ParticleOrder::move(const exec::MoveArguments<float>&, double);
+template void ParticleOrder::move(const exec::MoveArguments<double>&, double);
+template void ParticleOrder::move(const exec::MoveByPassesArguments<float>&, double);
+template void ParticleOrder::move(const exec::MoveByPassesArguments<double>&, double);
 
 void ParticleOrder::settle() {
   return_to_integration();

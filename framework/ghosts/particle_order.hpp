@@ -35,6 +35,10 @@ class MESOGEN_EXPORT ParticleOrder {
     farthest_ = farthest;
     ++version_;
   }
+  /// Moves particles, by arguments of exec::FieldLoops::move, none of them farther than `farthest` from where it was
+  /// sorted.
+  template <class Real, template <class> class Arguments>
+  void move(const Arguments<Real>& arguments, double farthest);
   /// To be called when it becomes known how far that is, if it was not at once.
   void note_farthest(double farthest) { farthest_ = farthest; }
   /// Raised whenever particles have moved or changed places in storage.

@@ -6,6 +6,7 @@
 #include "exec/backend.hpp"
 #include "mesogen/fields/field_view.hpp"
 #include "neighbours/stored_views.hpp"
+#include "particles/field_loops.hpp"
 
 namespace mesogen {
 
@@ -51,6 +52,15 @@ class CellLoops {
   /// False if it looks, and a particle has strayed too far. Waits for the answer.
   virtual bool place(const CellGrid& grid, const PlaceArguments<float>& arguments) const = 0;
   virtual bool place(const CellGrid& grid, const PlaceArguments<double>& arguments) const = 0;
+  /// Moves particles and places them where they then are, on a device in one loop. Nobody looks whether one strays.
+  virtual void move_and_place(const CellGrid& grid, const MoveArguments<float>& move,
+                              const PlaceArguments<float>& place) const = 0;
+  virtual void move_and_place(const CellGrid& grid, const MoveArguments<double>& move,
+                              const PlaceArguments<double>& place) const = 0;
+  virtual void move_and_place(const CellGrid& grid, const MoveByPassesArguments<float>& move,
+                              const PlaceArguments<float>& place) const = 0;
+  virtual void move_and_place(const CellGrid& grid, const MoveByPassesArguments<double>& move,
+                              const PlaceArguments<double>& place) const = 0;
 };
 
 }  // namespace exec

@@ -1,8 +1,11 @@
 #pragma once
 
+#include <type_traits>
+
 #include "exec/reductions.hpp"
 #include "neighbours/cell_grid.hpp"
 #include "neighbours/cell_loops.hpp"
+#include "particles/motion_loops.hpp"
 
 /// The loops over particles and the cells that hold them, compiled twice: by g++ for the host, by nvcc for CUDA.
 namespace mesogen::exec {
@@ -109,6 +112,19 @@ struct PlaceWalls {
   }
 };
 
+#ifdef __CUDACC__
+template <class Move, class Real>
+struct MoveAndPlace {
+  Move move;
+  PlaceParticles<Real> place;
+
+  MESOGEN_HOST_DEVICE void operator()(Index i) const {
+    move(i);
+    place(i);
+  }
+};
+#endif
+
 /// All that can be written as loops over what is there: not how particles are put in order.
 class CellLoopsImpl : public CellLoops {
  public:
@@ -126,6 +142,22 @@ class CellLoopsImpl : public CellLoops {
   bool place(const CellGrid& grid, const PlaceArguments<double>& arguments) const override {
     return place_particles(grid, arguments);
   }
+  void move_and_place(const CellGrid& grid, const MoveArguments<float>& move,
+                      const PlaceArguments<float>& place) const override {
+    move_and_place_particles(grid, move, place);
+  }
+  void move_and_place(const CellGrid& grid, const MoveArguments<double>& move,
+                      const PlaceArguments<double>& place) const override {
+    move_and_place_particles(grid, move, place);
+  }
+  void move_and_place(const CellGrid& grid, const MoveByPassesArguments<float>& move,
+                      const PlaceArguments<float>& place) const override {
+    move_and_place_particles(grid, move, place);
+  }
+  void move_and_place(const CellGrid& grid, const MoveByPassesArguments<double>& move,
+                      const PlaceArguments<double>& place) const override {
+    move_and_place_particles(grid, move, place);
+  }
 
  protected:
   [[nodiscard]] const Space& space() const { return space_; }
@@ -142,9 +174,29 @@ class CellLoopsImpl : public CellLoops {
     } else {
       for_each(space_, place.count(), place, what);
     }
+    place_others(grid, arguments);
+    return true;
+  }
+  template <class Real>
+  void place_others(const CellGrid& grid, const PlaceArguments<Real>& arguments) const {
     for_each(space_, arguments.walls.count, PlaceWalls<Real>{grid.dimension(), arguments}, "placing walls");
     for_each(space_, arguments.ghosts.count, PlaceGhosts<Real>{grid.dimension(), arguments}, "placing ghosts");
-    return true;
+  }
+  template <class Moving, class Real>
+  void move_and_place_particles(const CellGrid& grid, const Moving& arguments,
+                                const PlaceArguments<Real>& place) const {
+    constexpr const char* what = "moving and placing particles";
+    const PlaceParticles<Real> placing{grid, place};
+    with_move(arguments, [&](const auto& move) {
+#ifdef __CUDACC__
+      using Both = MoveAndPlace<std::decay_t<decltype(move)>, Real>;
+      for_each(space_, place.count, Both{move, placing}, what);
+#else
+      for_each(space_, place.count, move, what);
+      for_each(space_, placing.count(), placing, what);
+#endif
+    });
+    place_others(grid, place);
   }
 
   Space space_;

@@ -186,18 +186,6 @@ class FieldLoopsImpl final : public FieldLoops<Real> {
  private:
   static constexpr const char* moving = "moving particles";
 
-  template <class Action>
-  static auto with_move(const MoveArguments<Real>& arguments, const Action& action) {
-    return compiled_for<1, 2, 3>(arguments.dimension, [&]<int Dim>() { return action(Move<Real, Dim>{arguments}); });
-  }
-  template <class Action>
-  static auto with_move(const MoveByPassesArguments<Real>& arguments, const Action& action) {
-    return compiled_for<2, 3>(arguments.dimension, [&]<int Dim>() {
-      return arguments.to_midpoint ? action(MoveByPasses<Real, Dim, true>{arguments})
-                                   : action(MoveByPasses<Real, Dim, false>{arguments});
-    });
-  }
-
   Space space_;
   Reductions& reductions_;
 };

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "exec/reductions.hpp"
+#include "particles/components.hpp"
 #include "particles/field_loops.hpp"
 
 /// How a step changes fields and moves particles.
@@ -88,6 +89,19 @@ struct MoveByPasses {
     farthest.raise(0, square_of_way(at, m.sorted, i));
   }
 };
+
+/// Calls action(move) with the functor that does it.
+template <class Real, class Action>
+auto with_move(const MoveArguments<Real>& arguments, const Action& action) {
+  return compiled_for<1, 2, 3>(arguments.dimension, [&]<int Dim>() { return action(Move<Real, Dim>{arguments}); });
+}
+template <class Real, class Action>
+auto with_move(const MoveByPassesArguments<Real>& arguments, const Action& action) {
+  return compiled_for<2, 3>(arguments.dimension, [&]<int Dim>() {
+    return arguments.to_midpoint ? action(MoveByPasses<Real, Dim, true>{arguments})
+                                 : action(MoveByPasses<Real, Dim, false>{arguments});
+  });
+}
 
 template <class Real, int Components>
 struct Add {

@@ -111,13 +111,12 @@ exec::MoveByPassesArguments<Real> Integrator::moving_by_passes(double step_size,
 // neighbours to be those of that sorting, so that nobody has to look, and wait for the answer.
 void Integrator::move_to_midpoint(double step_size, const Motion& motion) {
   if (!moves()) return;
-  dispatch(state_.scene.precision, [&]<class Real>() {
-    const auto& loops = state_.backend.fields<Real>();
-    way_to_midpoint_ != nullptr ? loops.move(moving_by_passes<Real>(step_size, true), state_.particles.count())
-                                : loops.move(moving<Real>(step_size / 2.0, 0.0), state_.particles.count());
-  });
   const double fastest = motion.fastest + step_size / 2.0 * motion.largest_acceleration;
-  state_.order.mark_moved(motion.farthest + step_size / 2.0 * fastest);
+  const double farthest = motion.farthest + step_size / 2.0 * fastest;
+  dispatch(state_.scene.precision, [&]<class Real>() {
+    way_to_midpoint_ != nullptr ? state_.order.move(moving_by_passes<Real>(step_size, true), farthest)
+                                : state_.order.move(moving<Real>(step_size / 2.0, 0.0), farthest);
+  });
 }
 
 void Integrator::move_to_end(double step_size) {

@@ -64,9 +64,15 @@ double seconds_of(const Action& action) {
 
 __global__ void do_nothing() {}
 
+int current_device() {
+  int device = 0;
+  check(cudaGetDevice(&device), "asking which device is current");
+  return device;
+}
+
 int attribute(cudaDeviceAttr which, const char* what) {
   int value = 0;
-  check(cudaDeviceGetAttribute(&value, which, 0), what);
+  check(cudaDeviceGetAttribute(&value, which, current_device()), what);
   return value;
 }
 
@@ -75,7 +81,7 @@ double flops_per_clock(int major, int minor) { return 2.0 * (major == 8 && minor
 
 void describe(Members& members) {
   cudaDeviceProp properties{};
-  check(cudaGetDeviceProperties(&properties, 0), "asking for the properties of the device");
+  check(cudaGetDeviceProperties(&properties, current_device()), "asking for the properties of the device");
   members.text("device", properties.name);
   members.text("compute_capability", std::to_string(properties.major) + "." + std::to_string(properties.minor));
   int driver = 0;
