@@ -60,9 +60,9 @@ class MESOGEN_EXPORT Boundary {
   /// `boxes[d]` boxes away, and this much farther. Asked for axes that continue by ghosts; by default zero.
   [[nodiscard]] virtual std::array<double, 3> shear(const Scene& scene, const std::array<int, 3>& boxes) const;
   /// Brings a particle that left the box back in; `images[d]` counts the boxes that it has crossed, so that
-  /// position + images * box is its unwrapped path. Called whenever particles are sorted, for each that is not in
-  /// [0, box) along every axis. By default it comes in at the other side of a periodic axis, and is reflected at the
-  /// ends of the others.
+  /// position + images * box is its unwrapped path. Called for each that is not in [0, box) along every axis,
+  /// whenever particles are sorted or a frame is written, by several threads at a time. By default it comes in at the
+  /// other side of a periodic axis, and is reflected at the ends of the others.
   virtual void keep_inside(const Scene& scene, double* position, std::int32_t* images) const;
   /// Does a particle that is in the box lie where no fluid is, so that keep_inside must bring it back? Asked whenever
   /// particles are sorted, in scenes with solids. By default no.
