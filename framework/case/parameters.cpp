@@ -104,8 +104,7 @@ std::string Parameter::type_text() const {
     }
     std::string operator()(const WordOrNumber*) const {
       std::string text;
-      for (const auto& word : self.word_list)
-        text += text_literal(word) + (&word == &self.word_list.back() ? "" : ", ");
+      for (const auto& one : self.word_list) text += text_literal(one) + (&one == &self.word_list.back() ? "" : ", ");
       return text + " or number";
     }
     std::string operator()(const std::int64_t*) const { return "integer"; }

@@ -12,7 +12,6 @@ namespace mesogen {
 namespace {
 
 constexpr double exact = sizeof(double);
-constexpr double single = sizeof(float);
 
 // What a run touches beyond what a check has: the code that computes and writes, HDF5's own tables, and what the
 // allocator keeps for the thread that writes frames.

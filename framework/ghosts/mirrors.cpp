@@ -6,12 +6,7 @@
 
 namespace mesogen {
 
-namespace {
-
-constexpr auto device = exec::Side::device;
 using exec::Access;
-
-}  // namespace
 
 Mirrors::Mirrors(const Scene& scene, const Boundary& boundary, const CellGrid& grid,
                  const std::vector<WallSet::Member>& walls, const Backend& backend)

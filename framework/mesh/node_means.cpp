@@ -26,7 +26,8 @@ struct Carried {
 class Bands {
  public:
   Bands(const Carriers& particles, int count, double height) : count_(count), height_(height) {
-    const auto& [x, y] = particles.position;
+    const auto& x = particles.position[0];
+    const auto& y = particles.position[1];
     sorted_.resize(y.size());
     begin_ = exec::counting_sort(
         static_cast<Index>(y.size()), static_cast<std::size_t>(count),
@@ -133,14 +134,14 @@ Values mean_around(const std::array<double, 2>& place, const PointCells<2>& cell
                    const FieldReader& field) {
   double weights = 0.0;
   Values sum{};
-  for (double widening = 1.0; weights <= 0.0; widening *= 2.0) {
+  for (double widening = 1.0;; widening *= 2.0) {
     cells.within(place, widening * radius, [&](Index j, const auto&, double square) {
       const double weight = kernel.value(std::sqrt(square) / widening);
       weights += weight;
       for (std::size_t c = 0; c < 2; ++c) sum[c] += weight * field(static_cast<int>(c), j);
     });
+    if (!(weights <= 0.0)) return {sum[0] / weights, sum[1] / weights};
   }
-  return {sum[0] / weights, sum[1] / weights};
 }
 
 bool is_left_out(const Nodes& nodes, std::size_t n) { return !nodes.left_out.empty() && nodes.left_out[n] != 0; }
