@@ -10,10 +10,10 @@ void ParticleOrder::move(const Arguments<Real>& arguments, double farthest) {
   moved_ = !neighbourhood_.move(arguments, farthest);
   if (moved_) clock_.backend.fields<Real>().move(arguments, particles_.count());
 }
-template void ParticleOrder::move(const exec::MoveArguments<float>&, double);
-template void ParticleOrder::move(const exec::MoveArguments<double>&, double);
-template void ParticleOrder::move(const exec::MoveByPassesArguments<float>&, double);
-template void ParticleOrder::move(const exec::MoveByPassesArguments<double>&, double);
+template MESOGEN_EXPORT void ParticleOrder::move(const exec::MoveArguments<float>&, double);
+template MESOGEN_EXPORT void ParticleOrder::move(const exec::MoveArguments<double>&, double);
+template MESOGEN_EXPORT void ParticleOrder::move(const exec::MoveByPassesArguments<float>&, double);
+template MESOGEN_EXPORT void ParticleOrder::move(const exec::MoveByPassesArguments<double>&, double);
 
 void ParticleOrder::settle() {
   return_to_integration();
