@@ -13,6 +13,11 @@ namespace {
 
 constexpr std::size_t most_components = 4;
 
+template <class Pass>
+bool wants_laplacian(const Pass& pass) {
+  return std::ranges::any_of(pass.components, [](const auto& one) { return one.laplacian != nullptr; });
+}
+
 }  // namespace
 
 struct DerivedFields::Weights {
@@ -182,6 +187,10 @@ void DerivedFields::run_pair_sums(PairPass& pass) {
   }
   wanted.consistent = form_.consistent_laplacian;
   if (pass.correction != nullptr && new_positions) wanted.correction = write(*pass.correction);
+  if (!new_positions && pass.correction != nullptr && !pass.by_weights && wanted.count <= 2 && !wants_laplacian(pass))
+    return loops.gradients(neighbours, state_.kernel, wanted, std::as_const(*pass.correction).view<Real>(device));
+  if (stages_follow_ && weights_stale() && !pass.by_weights && !wants_laplacian(pass))
+    return find_weights(neighbours, wanted);
   if (!pass.by_weights || wanted.correction) loops.derivatives(neighbours, state_.kernel, wanted);
   if (pass.by_weights) sph::derivatives<Real, Dim>(exec::Space{}, neighbours, weights(neighbours), wanted);
 }
@@ -241,16 +250,27 @@ void DerivedFields::run_laplacian(Field& source, Field& result) {
   }
 }
 
+bool DerivedFields::weights_stale() const {
+  return weights_ != nullptr && weights_->positions != state_.neighbourhood.version();
+}
+
+template <class Real, int Dim>
+void DerivedFields::find_weights(const Neighbours<Real, Dim>& neighbours, const sph::Derivatives<Real, Dim>& beside) {
+  sph::find_weights<Real, Dim>(neighbours, state_.kernel, {weights_->laplacian, weights_->gradient}, beside,
+                               static_cast<WeightsOf<Real, Dim>&>(*weights_).fixed);
+  weights_->positions = state_.neighbourhood.version();
+}
+
 template <class Real, int Dim>
 const sph::FixedWeights<Real, Dim>& DerivedFields::weights(const Neighbours<Real, Dim>& neighbours) {
-  auto& fixed = static_cast<WeightsOf<Real, Dim>&>(*weights_).fixed;
-  if (weights_->positions == state_.neighbourhood.version()) return fixed;
-  const Span span(finding_, state_.clock.trace);
-  const FieldView<const Real> volume = std::as_const(state_.fields.at("volume")).view<Real>(exec::Side::device);
-  sph::find_weights<Real, Dim>(neighbours, state_.kernel,
-                               {volume, form_.consistent_laplacian, weights_->laplacian, weights_->gradient}, fixed);
-  weights_->positions = state_.neighbourhood.version();
-  return fixed;
+  if (weights_stale()) {
+    const Span span(finding_, state_.clock.trace);
+    sph::Derivatives<Real, Dim> none{};
+    none.volume = std::as_const(state_.fields.at("volume")).view<Real>(exec::Side::device);
+    none.consistent = form_.consistent_laplacian;
+    find_weights(neighbours, none);
+  }
+  return static_cast<WeightsOf<Real, Dim>&>(*weights_).fixed;
 }
 
 std::vector<Counter> DerivedFields::counters() const {

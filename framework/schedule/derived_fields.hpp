@@ -17,7 +17,9 @@ namespace mesogen {
 namespace sph {
 template <class Real, int Dim>
 struct FixedWeights;
-}
+template <class Real, int Dim>
+struct Derivatives;
+}  // namespace sph
 namespace exec {
 template <class Real>
 struct StageArguments;
@@ -46,6 +48,8 @@ class MESOGEN_EXPORT DerivedFields {
   [[nodiscard]] bool prescribes(const std::string& field) const {
     return prescribed_ != nullptr && prescribed_->has(field);
   }
+  /// Whether stages will need the weights of pairs where particles now are: the next pass over pairs then finds them.
+  void expect_stages(bool follow) { stages_follow_ = follow && form_.stages; }
   /// Brings a derived field, or one that is prescribed, up to date.
   void make(const std::string& field);
   /// The Laplacian of any field now, which is brought up to date at ghosts and walls; `result` has as many components.
@@ -86,6 +90,9 @@ class MESOGEN_EXPORT DerivedFields {
   void refresh_for_sums(Field& source);
   template <class Real, int Dim>
   void run_laplacian(Field& source, Field& result);
+  [[nodiscard]] bool weights_stale() const;
+  template <class Real, int Dim>
+  void find_weights(const Neighbours<Real, Dim>& neighbours, const sph::Derivatives<Real, Dim>& beside);
   template <class Real, int Dim>
   const sph::FixedWeights<Real, Dim>& weights(const Neighbours<Real, Dim>& neighbours);
 
@@ -95,6 +102,7 @@ class MESOGEN_EXPORT DerivedFields {
   std::vector<PairPass> passes_;
   std::map<std::string, std::vector<std::size_t>> pass_of_;
   std::unique_ptr<Weights> weights_;  // null: none are kept
+  bool stages_follow_ = false;
   Counter finding_{"framework: weights of pairs"};
   Counter staging_{"framework: Laplacians of stages"};
 };

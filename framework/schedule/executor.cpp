@@ -110,6 +110,7 @@ Executor::Executor(State& state, StepGraph& graph, DerivedFields& derived)
 }
 
 void Executor::run(Phase phase, const std::vector<bool>& reader_due, const std::function<void()>& advance_velocity) {
+  derived_.expect_stages(phase == Phase::rates);
   const auto& order = graph_.order(phase);
   std::vector<std::size_t> due;
   for (const std::size_t n : order) {
@@ -136,6 +137,7 @@ void Executor::run(Phase phase, const std::vector<bool>& reader_due, const std::
   std::for_each(due.begin(), rest, run_one);
   if (advance_velocity) advance_velocity();
   std::for_each(rest, due.end(), run_one);
+  derived_.expect_stages(false);
 }
 
 void Executor::run_alone(ScheduledPass& scheduled) {

@@ -23,17 +23,17 @@ struct FixedWeights {
 };
 
 /// Which weights are wanted.
-template <class Real>
 struct WeightsWanted {
-  FieldView<const Real> volume;  ///< of particles, m^Dim
-  bool consistent = false;       ///< see Derivatives
   bool laplacian = false;
   bool gradient = false;
 };
 
+/// Finds them by the volumes, and the form of the Laplacian, of `derivatives`, and in the same pass the gradients and
+/// the correction that are wanted there; Laplacians are not.
 template <class Real, int Dim>
 MESOGEN_EXPORT void find_weights(const Neighbours<Real, Dim>& neighbours, const SmoothingKernel& kernel,
-                                 const WeightsWanted<Real>& wanted, FixedWeights<Real, Dim>& weights);
+                                 const WeightsWanted& kinds, const Derivatives<Real, Dim>& derivatives,
+                                 FixedWeights<Real, Dim>& weights);
 
 /// One stage of a stabilised step, with the Laplacian of its latest increment.
 template <class Real, int Dim>

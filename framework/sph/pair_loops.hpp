@@ -23,6 +23,8 @@ class PairLoopsIn {
                        FieldView<Real> volume) const = 0;
   virtual void derivatives(const Neighbours<Real, Dim>& neighbours, const sph::SmoothingKernel& kernel,
                            const sph::Derivatives<Real, Dim>& wanted) const = 0;
+  virtual void gradients(const Neighbours<Real, Dim>& neighbours, const sph::SmoothingKernel& kernel,
+                         const sph::Derivatives<Real, Dim>& wanted, FieldView<const Real> correction) const = 0;
 };
 
 template <class Real, class Known>
@@ -35,6 +37,7 @@ class PairLoopsAmong<Real, Dimensions<Dims...>> : public PairLoopsIn<Real, Dims>
   using PairLoopsIn<Real, Dims>::list_runs...;
   using PairLoopsIn<Real, Dims>::volumes...;
   using PairLoopsIn<Real, Dims>::derivatives...;
+  using PairLoopsIn<Real, Dims>::gradients...;
 };
 
 /// The same for each dimension that Mesogen is built for.

@@ -42,6 +42,10 @@ class PairLoopsMade<Real, Dimensions<Dim, Others...>> : public PairLoopsMade<Rea
                    const sph::Derivatives<Real, Dim>& wanted) const override {
     sph::derivatives<Real, Dim>(this->space_, neighbours, kernel, wanted);
   }
+  void gradients(const Neighbours<Real, Dim>& neighbours, const sph::SmoothingKernel& kernel,
+                 const sph::Derivatives<Real, Dim>& wanted, FieldView<const Real> correction) const override {
+    sph::gradients<Real, Dim>(this->space_, neighbours, kernel, wanted, correction);
+  }
 };
 
 template <class Real>

@@ -9,11 +9,16 @@
 
 namespace mesogen::sph {
 
+struct KeepNoWeights {
+  static constexpr bool keeps = false;
+};
+
 /// Visits the neighbours of a particle twice: for the moments that a fit needs, and with its weights for `Count`
 /// scalars. So each visit keeps few sums, and they stay in registers. The weights of fits are solved for a group of
-/// particles together, as many as a pack has lanes. `Source`: WeighedPairs.
-template <class Real, int Dim, int Count, class Fit, class Source>
-class DerivativeLoop {
+/// particles together, as many as a pack has lanes. `Source`: WeighedPairs. `Keep`: what keeps the weights of a fit's
+/// Laplacian and gradient for later sums; Laplacians are then not added up here.
+template <class Real, int Dim, int Count, class Fit, class Source, class Keep = KeepNoWeights>
+class DerivativeLoop : Keep {
   using Lane = typename Source::Lane;
   using Kept = typename Source::Kept;
   using Weighed = WeighedPair<Lane, Dim>;
@@ -21,8 +26,9 @@ class DerivativeLoop {
  public:
   static constexpr int group = sizeof(Lane) / sizeof(Real);
 
-  DerivativeLoop(const Source& source, const Fit& fit, const Derivatives<Real, Dim>& wanted, Index particles)
-      : source_(source), fit_(fit), wanted_(wanted), particles_(particles) {}
+  DerivativeLoop(const Source& source, const Fit& fit, const Derivatives<Real, Dim>& wanted, Index particles,
+                 const Keep& keep = {})
+      : Keep(keep), source_(source), fit_(fit), wanted_(wanted), particles_(particles) {}
 
   /// The n-th group.
   MESOGEN_HOST_DEVICE void operator()(Index n) const {
@@ -50,7 +56,7 @@ class DerivativeLoop {
     if (wanted_.correction)
       exec::unroll<Dim * Dim>(
           [&](auto c) { put(weight[Fit::correction + c], &wanted_.correction(c, first), members); });
-    if constexpr (Count > 0) {
+    if constexpr (Count > 0 || Keep::keeps) {
       Weights weights(weight);
       const Correction correction(weight + Fit::correction);
       for (int k = 0; k < members; ++k) sum_scalars(first, k, kept, weights, sums);
@@ -62,7 +68,8 @@ class DerivativeLoop {
     }
   }
 
-  static constexpr int per_scalar = Dim + (Fit::gives_laplacian ? 1 : 0);
+  static constexpr bool sums_laplacian = Fit::gives_laplacian && !Keep::keeps;
+  static constexpr int per_scalar = Dim + (sums_laplacian ? 1 : 0);
   static constexpr int scalar_sums = Count == 0 ? 1 : Count * per_scalar;
 
   /// Sums of each particle of a group, lanes not added up yet.
@@ -143,10 +150,19 @@ class DerivativeLoop {
     Lane sum[scalar_sums];
     exec::unroll<Count>([&](auto n) { own[n] = wanted_.source[n][first + k]; });
     exec::unroll<scalar_sums>([&](auto n) __attribute__((always_inline)) { sum[n] = Lane(Real(0)); });
-    source_.visit(
-        first, k, kept, [&](const Weighed& p, const Place<Lane>& place) __attribute__((always_inline)) {
-          add(p, place, weight, own, sum);
-        });
+    if constexpr (Keep::keeps) {
+      auto keep = Keep::of(first + k);
+      source_.visit(
+          first, k, kept, [&](const Weighed& p, const Place<Lane>& place) __attribute__((always_inline)) {
+            keep.take(fit_, p, weight);
+            add(p, place, weight, own, sum);
+          });
+    } else {
+      source_.visit(
+          first, k, kept, [&](const Weighed& p, const Place<Lane>& place) __attribute__((always_inline)) {
+            add(p, place, weight, own, sum);
+          });
+    }
     sums.set(k, sum);
   }
 
@@ -155,20 +171,20 @@ class DerivativeLoop {
     Lane gradient[Dim];
     exec::unroll<Dim>([&](auto d) __attribute__((always_inline)) { gradient[d] = p.slope * p.separation[d]; });
     Lane laplacian;
-    if constexpr (Fit::gives_laplacian) laplacian = fit_.laplacian(p, gradient, weight);
+    if constexpr (sums_laplacian) laplacian = fit_.laplacian(p, gradient, weight);
     exec::unroll<Count>([&](auto n) __attribute__((always_inline)) {
       const Lane difference = place.load(wanted_.source[n]) - Lane(own[n]);
       constexpr int at = n * per_scalar;
       exec::unroll<Dim>([&](auto d)
                             __attribute__((always_inline)) { sum[at + d] = sum[at + d] + gradient[d] * difference; });
-      if constexpr (Fit::gives_laplacian) sum[at + Dim] = sum[at + Dim] + laplacian * difference;
+      if constexpr (sums_laplacian) sum[at + Dim] = sum[at + Dim] + laplacian * difference;
     });
   }
 
   MESOGEN_HOST_DEVICE void finish(const Lane* sum, const Lane* correction, Index first, int members) const {
     exec::unroll<Count>([&](auto n) {
       const Lane* const own = sum + n * per_scalar;
-      if constexpr (Fit::gives_laplacian)
+      if constexpr (sums_laplacian)
         if (wanted_.laplacian[n] != nullptr) put(own[Dim], wanted_.laplacian[n] + first, members);
       if (wanted_.gradient[n][0] == nullptr) return;
       exec::unroll<Dim>([&](auto a) {

@@ -5,89 +5,68 @@
 
 #include <algorithm>
 
-#include "mesogen/exec/sum_across.hpp"
-#include "mesogen/sph/pair_sum.hpp"
+#include "sph/passes/derivatives.hpp"
 #include "sph/passes/laplacian_loop.hpp"
-#include "sph/passes/weighed_pairs.hpp"
 
 namespace mesogen::sph {
 
 namespace {
 
-/// Weights of the pairs of a particle, by the places of their packs in its blocks.
-template <class Real, int Dim, class Fit>
-struct WeightLoop {
+/// Keeps the weights of the pairs of a particle by the places of their packs in its blocks. Trivially copyable.
+template <class Real, int Dim>
+class KeepWeights {
   using Lane = exec::Pack<Real>;
-  using Source = WeighedPairs<Real, Dim>;
-  static constexpr int group = int(Lane::size());
-  Neighbours<Real, Dim> neighbours;
-  Source source;
-  Fit fit;
-  Real* laplacian;
-  Real* gradient[Dim];
 
-  /// Of the n-th group of particles.
-  void operator()(Index n) const {
-    const Index first = n * group;
-    const int members = std::min<Index>(group, neighbours.particle_count - first);
-    typename Source::Kept kept;
-    source.keep(first, members, kept);
-    alignas(Lane) Real lanes[Fit::sum_count][group][group] = {};
-    for (int k = 0; k < members; ++k) {
-      Lane sum[Fit::sum_count] = {};
-      source.visit(
-          first, k, kept, [&](const auto& p, const auto&) __attribute__((always_inline)) { fit.add(p, sum); });
-      for (int m = 0; m < Fit::sum_count; ++m) exec::store(sum[m], &lanes[m][k][0]);
-    }
-    Lane moments[Fit::sum_count];
-    for (int m = 0; m < Fit::sum_count; ++m) exec::sum_across(lanes[m], moments[m]);
-    Lane solved[Fit::weight_count];
-    fit.solve(moments, solved);
-    for (int k = 0; k < members; ++k) {
-      Real weight[Fit::weight_count];
-      for (int m = 0; m < Fit::weight_count; ++m) weight[m] = solved[m][static_cast<std::size_t>(k)];
-      store_weights(first, k, kept, weight);
-    }
+ public:
+  static constexpr bool keeps = true;
+
+  KeepWeights(const Neighbours<Real, Dim>& neighbours, FixedWeights<Real, Dim>& weights) : neighbours_(neighbours) {
+    if (!weights.laplacian.empty()) laplacian_ = weights.laplacian.data();
+    for (int d = 0; d < Dim; ++d)
+      if (!weights.gradient[d].empty()) gradient_[d] = weights.gradient[d].data();
   }
 
- private:
-  void store_weights(Index first, int k, typename Source::Kept& kept, const Real* weight) const {
-    Places places(neighbours, first + k);
-    source.visit(
-        first, k, kept, [&](const auto& p, const auto&) __attribute__((always_inline)) {
-          const std::int64_t lane = places.next();
-          Lane slope[Dim];
-          for (int d = 0; d < Dim; ++d) slope[d] = p.slope * p.separation[d];
-          if (laplacian != nullptr) exec::store(fit.laplacian(p, slope, weight), laplacian + lane);
-          for (int a = 0; a < Dim; ++a) {
-            if (gradient[a] == nullptr) continue;
-            Lane component(Real(0));
-            for (int b = 0; b < Dim; ++b) component += slope[b] * weight[Fit::correction + a * Dim + b];
-            exec::store(component, gradient[a] + lane);
-          }
-        });
-  }
-
-  /// Where the weights of the packs of a particle lie, one after the other.
-  class Places {
+  class OfParticle {
    public:
-    Places(const Neighbours<Real, Dim>& grid, Index i) : grid_(grid), block_(grid.block_begin[i]) {}
+    OfParticle(const KeepWeights& all, Index i) : all_(all), block_(all.neighbours_.block_begin[i]) {}
 
-    std::int64_t next() {
+    /// The weights of the next pack.
+    template <class Fit>
+    [[gnu::always_inline]] void take(const Fit& fit, const WeighedPair<Lane, Dim>& p, const Real* weight) {
+      const std::int64_t at = next();
+      Lane slope[Dim];
+      for (int d = 0; d < Dim; ++d) slope[d] = p.slope * p.separation[d];
+      if (all_.laplacian_ != nullptr) exec::store(fit.laplacian(p, slope, weight), all_.laplacian_ + at);
+      for (int a = 0; a < Dim; ++a) {
+        if (all_.gradient_[a] == nullptr) continue;
+        Lane component(Real(0));
+        for (int b = 0; b < Dim; ++b) component += slope[b] * weight[Fit::correction + a * Dim + b];
+        exec::store(component, all_.gradient_[a] + at);
+      }
+    }
+
+   private:
+    [[gnu::always_inline]] std::int64_t next() {
       const std::int64_t place = block_ * NeighbourBlock::width<Real> + lane_;
       lane_ += int(Lane::size());
-      if (lane_ >= grid_.block[block_].lanes) {
+      if (lane_ >= all_.neighbours_.block[block_].lanes) {
         lane_ = 0;
         ++block_;
       }
       return place;
     }
 
-   private:
-    const Neighbours<Real, Dim>& grid_;
+    const KeepWeights& all_;
     std::int64_t block_;
     int lane_ = 0;
   };
+
+  [[nodiscard]] OfParticle of(Index i) const { return {*this, i}; }
+
+ private:
+  Neighbours<Real, Dim> neighbours_;
+  Real* laplacian_ = nullptr;
+  Real* gradient_[Dim] = {};
 };
 
 /// All scalars of a particle while its weights are in the cache.
@@ -139,27 +118,29 @@ struct WeightedSums {
 
 template <class Real, int Dim, class Fit>
 void find_weights_with(const Neighbours<Real, Dim>& neighbours, const SmoothingKernel& kernel, const Fit& fit,
-                       const WeightsWanted<Real>& wanted, FixedWeights<Real, Dim>& weights) {
-  const auto room =
-      static_cast<std::size_t>(neighbours.block_begin[neighbours.particle_count]) * NeighbourBlock::width<Real>;
-  if (wanted.laplacian) weights.laplacian.resize(room);
-  if (wanted.gradient)
-    for (auto& gradient : weights.gradient) gradient.resize(room);
+                       const Derivatives<Real, Dim>& wanted, FixedWeights<Real, Dim>& weights) {
+  const Index particles = neighbours.particle_count;
+  const KeepWeights<Real, Dim> keep(neighbours, weights);
   with_kernel_function<Real>(kernel, [&](const auto& function) {
     const Pairs pairs(neighbours, function);
-    WeightLoop<Real, Dim, Fit> loop{neighbours, WeighedPairs(pairs, wanted.volume), fit, nullptr, {}};
-    if (!weights.laplacian.empty()) loop.laplacian = weights.laplacian.data();
-    for (int d = 0; d < Dim; ++d)
-      if (!weights.gradient[d].empty()) loop.gradient[d] = weights.gradient[d].data();
-    exec::for_each({}, (neighbours.particle_count + loop.group - 1) / loop.group, loop);
+    const WeighedPairs source(pairs, wanted.volume);
+    with_count_or_none(wanted.count, [&](auto number) {
+      using Loop = DerivativeLoop<Real, Dim, number, Fit, WeighedPairs<Real, Dim>, KeepWeights<Real, Dim>>;
+      exec::for_each({}, (particles + Loop::group - 1) / Loop::group, Loop(source, fit, wanted, particles, keep));
+    });
   });
 }
 
 }  // namespace
 
 template <class Real, int Dim>
-void find_weights(const Neighbours<Real, Dim>& neighbours, const SmoothingKernel& kernel,
-                  const WeightsWanted<Real>& wanted, FixedWeights<Real, Dim>& weights) {
+void find_weights(const Neighbours<Real, Dim>& neighbours, const SmoothingKernel& kernel, const WeightsWanted& kinds,
+                  const Derivatives<Real, Dim>& wanted, FixedWeights<Real, Dim>& weights) {
+  const auto room =
+      static_cast<std::size_t>(neighbours.block_begin[neighbours.particle_count]) * NeighbourBlock::width<Real>;
+  if (kinds.laplacian) weights.laplacian.resize(room);
+  if (kinds.gradient)
+    for (auto& gradient : weights.gradient) gradient.resize(room);
   if (wanted.consistent) {
     find_weights_with(neighbours, kernel, ConsistentFit<Real>{Real(kernel.smoothing_length)}, wanted, weights);
   } else {
@@ -244,10 +225,10 @@ template void stage<float, 2>(const Neighbours<float, 2>&, const FixedWeights<fl
                               const exec::StageArguments<float>&);
 template void stage<double, 2>(const Neighbours<double, 2>&, const FixedWeights<double, 2>&,
                                const exec::StageArguments<double>&);
-template void find_weights<float, 2>(const Neighbours<float, 2>&, const SmoothingKernel&, const WeightsWanted<float>&,
-                                     FixedWeights<float, 2>&);
-template void find_weights<double, 2>(const Neighbours<double, 2>&, const SmoothingKernel&,
-                                      const WeightsWanted<double>&, FixedWeights<double, 2>&);
+template void find_weights<float, 2>(const Neighbours<float, 2>&, const SmoothingKernel&, const WeightsWanted&,
+                                     const Derivatives<float, 2>&, FixedWeights<float, 2>&);
+template void find_weights<double, 2>(const Neighbours<double, 2>&, const SmoothingKernel&, const WeightsWanted&,
+                                      const Derivatives<double, 2>&, FixedWeights<double, 2>&);
 template void derivatives<float, 2>(const exec::Space&, const Neighbours<float, 2>&, const FixedWeights<float, 2>&,
                                     const Derivatives<float, 2>&);
 template void derivatives<double, 2>(const exec::Space&, const Neighbours<double, 2>&, const FixedWeights<double, 2>&,
