@@ -16,12 +16,7 @@ struct CountGhosts {
   ImageSearch search;
   Index* number;
 
-  MESOGEN_HOST_DEVICE void operator()(Index i) const {
-    double offset[3] = {};
-    number[i] = 0;
-    for (int image = 0; image < search.images.count; ++image)
-      if (search.sees(image, i, offset)) ++number[i];
-  }
+  MESOGEN_HOST_DEVICE void operator()(Index i) const { number[i] = search.count(i); }
 };
 
 struct ListGhosts {
@@ -32,6 +27,7 @@ struct ListGhosts {
   std::int64_t* number;  // of each ghost in this order
 
   MESOGEN_HOST_DEVICE void operator()(Index i) const {
+    if (search.in_middle(i)) return;
     double offset[3] = {};
     Index n = begin[i];
     for (int image = 0; image < search.images.count; ++image) {

@@ -23,23 +23,33 @@ Images images_of(const Scene& scene, const Boundary& boundary) {
   return images;
 }
 
+namespace {
+
+/// Shear carries points along a face, so it may bring them near another.
+bool lies_beyond_a_face(const Images& images, int image) {
+  for (int d = 0; d < 3; ++d)
+    if (images.boxes[image][d] != 0 && images.shear[image][d] == 0.0) return true;
+  return false;
+}
+
+}  // namespace
+
 ImageSearch image_search(const Scene& scene, const Images& images, const double* const* position, double reach) {
+  bool middle_unseen = true;
+  for (int image = 0; image < images.count; ++image) middle_unseen = middle_unseen && lies_beyond_a_face(images, image);
   return {images,
           {position[0], position[1], position[2]},
           {scene.box[0], scene.box[1], scene.box[2]},
           scene.dimension,
-          reach};
+          reach,
+          middle_unseen};
 }
 
 Index count_ghosts(const Scene& scene, const Images& images, const double* const* position, Index count, double reach) {
   const ImageSearch search = image_search(scene, images, position, reach);
   Index number = 0;
 #pragma omp parallel for schedule(static) reduction(+ : number)
-  for (Index i = 0; i < count; ++i)
-    for (int image = 0; image < images.count; ++image) {
-      double offset[3] = {};
-      if (search.sees(image, i, offset)) ++number;
-    }
+  for (Index i = 0; i < count; ++i) number += search.count(i);
   return number;
 }
 

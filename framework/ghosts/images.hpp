@@ -25,8 +25,16 @@ struct ImageSearch {
   const double* position[3];  ///< in the box, m
   double box[3];              ///< m
   int dimension;
-  double reach;  ///< how far beyond the faces, m
+  double reach;        ///< how far beyond the faces, m
+  bool middle_unseen;  ///< no image of a point that is farther than that from all faces is seen
 
+  /// Is no image of point i seen, for this reason?
+  [[nodiscard]] MESOGEN_HOST_DEVICE bool in_middle(Index i) const {
+    bool inside = middle_unseen;
+    exec::for_axes(dimension,
+                   [&](int d) { inside = inside && position[d][i] >= reach && position[d][i] < box[d] - reach; });
+    return inside;
+  }
   /// Does the image of point i lie within reach of the box? Then `offset` (m) is its position minus that of the point.
   MESOGEN_HOST_DEVICE bool sees(int image, Index i, double (&offset)[3]) const {
     bool seen = true;
@@ -43,6 +51,16 @@ struct ImageSearch {
       offset[d] = moved + boxes * box[d];
     });
     return seen;
+  }
+
+  /// How many images of point i the box can see.
+  [[nodiscard]] MESOGEN_HOST_DEVICE Index count(Index i) const {
+    if (in_middle(i)) return 0;
+    Index number = 0;
+    double offset[3] = {};
+    for (int image = 0; image < images.count; ++image)
+      if (sees(image, i, offset)) ++number;
+    return number;
   }
 };
 

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "mesogen/exec/counting_sort.hpp"
+#include "mesogen/exec/dispatch.hpp"
 #include "mesogen/neighbours/point_cells.hpp"
 #include "mesogen/sph/kernel_function.hpp"
 
@@ -12,20 +13,44 @@ namespace mesogen::mesh {
 
 namespace {
 
-using Pack = exec::Pack<double>;
-constexpr auto lanes = static_cast<int>(Pack::size());
+constexpr int lanes = 8;
 
 using Values = std::array<double, 2>;
 
+/// The nodes of a row, and as many beyond its ends as particles reach.
+struct RowOfNodes {
+  int count;
+  double spacing;
+  double reach;  // of a particle, m
+  int beyond;    // nodes beyond each end
+  double first;  // coordinate of the first of all, m
+
+  RowOfNodes(const Nodes& nodes, double radius)
+      : count(nodes.count[0]),
+        spacing(nodes.spacing[0]),
+        reach(radius),
+        beyond(static_cast<int>(radius / spacing) + 2),
+        first(nodes.first[0] - beyond * spacing) {}
+
+  /// The first node that a particle reaches.
+  [[nodiscard]] int first_node(double x) const { return static_cast<int>((x - reach - first) / spacing); }
+  /// How many packs of nodes it reaches at most.
+  [[nodiscard]] int packs() const { return (static_cast<int>(2.0 * reach / spacing) + 2 + lanes - 1) / lanes; }
+};
+
+template <class Real>
 struct Carried {
-  double x, y;
-  Values value;
+  double y;
+  int node;    // the first that it reaches
+  Real along;  // from there to the particle, m
+  Real value[2];
 };
 
 /// Particles sorted by the band of the box, as high as a row of nodes, in which they are.
+template <class Real>
 class Bands {
  public:
-  Bands(const Carriers& particles, int count, double height) : count_(count), height_(height) {
+  Bands(const Carriers& particles, int count, double height, const RowOfNodes& row) : count_(count), height_(height) {
     const auto& x = particles.position[0];
     const auto& y = particles.position[1];
     sorted_.resize(y.size());
@@ -37,7 +62,11 @@ class Bands {
         },
         [&](Index i, Index to) {
           const auto n = static_cast<std::size_t>(i);
-          sorted_[static_cast<std::size_t>(to)] = {x[n], y[n], {particles.field(0, i), particles.field(1, i)}};
+          const int node = row.first_node(x[n]);
+          sorted_[static_cast<std::size_t>(to)] = {y[n],
+                                                   node,
+                                                   Real(x[n] - (row.first + node * row.spacing)),
+                                                   {Real(particles.field(0, i)), Real(particles.field(1, i))}};
         });
   }
 
@@ -58,38 +87,34 @@ class Bands {
  private:
   int count_;
   double height_;
-  std::vector<Carried> sorted_;
+  std::vector<Carried<Real>> sorted_;
   std::vector<Index> begin_;  // of each band
 };
 
-/// Weighted sums at the nodes of one row, and at as many beyond its ends as particles reach.
-class Row {
+/// Weighted sums at the nodes of one row.
+template <class Real>
+class Sums {
+  using Pack = exec::stdx::simd<Real, exec::stdx::simd_abi::deduce_t<Real, lanes>>;
+
  public:
-  Row(const Nodes& nodes, double reach)
-      : count_(nodes.count[0]),
-        spacing_(nodes.spacing[0]),
-        beyond_(static_cast<int>(reach / spacing_) + 2),
-        first_(nodes.first[0] - beyond_ * spacing_) {
-    for (auto& sum : sum_) sum.resize(static_cast<std::size_t>(count_ + 2 * beyond_ + lanes));
-    for (int lane = 0; lane < lanes; ++lane) lane_[lane] = lane * spacing_;
+  explicit Sums(const RowOfNodes& row) : count_(row.count), beyond_(row.beyond), packs_(row.packs()) {
+    for (auto& sum : sum_) sum.resize(static_cast<std::size_t>(count_ + 2 * beyond_ + packs_ * lanes));
+    for (int lane = 0; lane < lanes; ++lane) lane_[lane] = Real(lane * row.spacing);
+    pack_length_ = Real(lanes * row.spacing);
   }
 
   void clear() {
-    for (auto& sum : sum_) std::fill(sum.begin(), sum.end(), 0.0);
+    for (auto& sum : sum_) std::fill(sum.begin(), sum.end(), Real(0));
   }
 
-  /// A particle at the distance `across` from the row reaches `half` along it.
+  /// A particle at the distance `across` from the row. Weights are zero at nodes that it does not reach.
   template <class Kernel>
-  void add(const Carried& particle, double across, double half, const Kernel& kernel) {
-    const double at = particle.x - first_;
-    const auto last = static_cast<int>((at + half) / spacing_);
-    const Pack square(std::max(across * across, 1e-200));  // above 0, for its inverse
-    for (auto i = static_cast<int>((at - half) / spacing_); i <= last; i += lanes) {
-      const Pack along = lane_ + (i * spacing_ - at);
-      Pack distance;
-      Pack inverse;
-      exec::find_roots(along * along + square, distance, inverse);
-      const Pack weight = kernel.value(distance);
+  void add(const Carried<Real>& particle, double across, const Kernel& kernel) {
+    const Pack square(Real(std::max(across * across, nearest_square)));
+    for (int n = 0; n < packs_; ++n) {
+      const Pack along = lane_ + (Real(n) * pack_length_ - particle.along);
+      const Pack weight = kernel.value(exec::find_root(Pack(along * along + square)));
+      const int i = particle.node + n * lanes;
       accumulate(sum_[0], i, weight);
       accumulate(sum_[1], i, weight * particle.value[0]);
       accumulate(sum_[2], i, weight * particle.value[1]);
@@ -109,24 +134,27 @@ class Row {
     }
     for (int i = 0; i < count_; ++i) {
       const auto at = static_cast<std::size_t>(beyond_ + i);
-      to[i] = {sum_[1][at] / sum_[0][at], sum_[2][at] / sum_[0][at]};
+      to[i] = {double(sum_[1][at]) / double(sum_[0][at]), double(sum_[2][at]) / double(sum_[0][at])};
     }
   }
 
  private:
-  static void accumulate(std::vector<double>& sum, int i, const Pack& what) {
-    double* const to = sum.data() + i;
+  // Above 0: a root is found through its inverse.
+  static constexpr double nearest_square = sizeof(Real) == 4 ? 1e-30 : 1e-200;
+
+  static void accumulate(std::vector<Real>& sum, int i, const Pack& what) {
+    Real* const to = sum.data() + i;
     Pack there;
     exec::load(to, there);
     exec::store(there + what, to);
   }
 
   int count_;
-  double spacing_;
-  int beyond_;                              // nodes beyond each end
-  double first_;                            // coordinate of the first of all, m
-  Pack lane_;                               // distance of the lanes from the first, m
-  std::array<std::vector<double>, 3> sum_;  // of weights, and of weights times either value
+  int beyond_;
+  int packs_;
+  Real pack_length_;                      // m
+  Pack lane_;                             // distance of the lanes from the first, m
+  std::array<std::vector<Real>, 3> sum_;  // of weights, and of weights times either value
 };
 
 template <class Kernel>
@@ -165,34 +193,44 @@ void look_farther(const Scene& scene, const Nodes& nodes, const Carriers& partic
   }
 }
 
+template <class Real>
+bool add_up(const Scene& scene, const Nodes& nodes, const Carriers& particles, const sph::SmoothingKernel& kernel,
+            std::vector<Values>& means) {
+  const auto columns = static_cast<std::size_t>(nodes.count[0]);
+  const double radius = kernel.radius();
+  const RowOfNodes row(nodes, radius);
+  const Bands<Real> bands(particles, nodes.count[1], nodes.spacing[1], row);
+  bool unknown = false;
+  sph::with_kernel_function<Real>(kernel, [&](const auto& function) {
+#pragma omp parallel reduction(|| : unknown)
+    {
+      Sums<Real> sums(row);
+#pragma omp for schedule(static)
+      for (int j = 0; j < nodes.count[1]; ++j) {
+        sums.clear();
+        bands.around(nodes.first[1] + j * nodes.spacing[1], radius, scene.periodic[1],
+                     [&](const Carried<Real>& particle, double across) {
+                       if (across * across <= radius * radius) sums.add(particle, across, function);
+                     });
+        Values* const here = &means[static_cast<std::size_t>(j) * columns];
+        sums.means(scene.periodic[0], here);
+        unknown = unknown || std::any_of(here, here + columns, [](const Values& mean) { return std::isnan(mean[0]); });
+      }
+    }
+  });
+  return unknown;
+}
+
 }  // namespace
 
 std::vector<Values> node_means(const Scene& scene, const Nodes& nodes, const Carriers& particles,
                                const sph::SmoothingKernel& kernel) {
-  const auto columns = static_cast<std::size_t>(nodes.count[0]);
-  std::vector<Values> means(columns * static_cast<std::size_t>(nodes.count[1]));
-  const Bands bands(particles, nodes.count[1], nodes.spacing[1]);
-  const double radius = kernel.radius();
-  bool unknown = false;
-  sph::with_kernel_function<double>(kernel, [&](const auto& function) {
-#pragma omp parallel reduction(|| : unknown)
-    {
-      Row row(nodes, radius);
-#pragma omp for schedule(static)
-      for (int j = 0; j < nodes.count[1]; ++j) {
-        row.clear();
-        bands.around(nodes.first[1] + j * nodes.spacing[1], radius, scene.periodic[1],
-                     [&](const Carried& particle, double across) {
-                       const double square = radius * radius - across * across;
-                       if (square >= 0.0) row.add(particle, across, std::sqrt(square), function);
-                     });
-        Values* const here = &means[static_cast<std::size_t>(j) * columns];
-        row.means(scene.periodic[0], here);
-        unknown = unknown || std::any_of(here, here + columns, [](const Values& mean) { return std::isnan(mean[0]); });
-      }
-    }
-    if (unknown) look_farther(scene, nodes, particles, function, radius, means);
-  });
+  std::vector<Values> means(static_cast<std::size_t>(nodes.count[0]) * static_cast<std::size_t>(nodes.count[1]));
+  const bool unknown =
+      dispatch(scene.precision, [&]<class Real>() { return add_up<Real>(scene, nodes, particles, kernel, means); });
+  if (unknown)
+    sph::with_kernel_function<double>(
+        kernel, [&](const auto& function) { look_farther(scene, nodes, particles, function, kernel.radius(), means); });
   for (std::size_t n = 0; n < means.size(); ++n)
     if (is_left_out(nodes, n)) means[n].fill(std::numeric_limits<double>::quiet_NaN());
   return means;

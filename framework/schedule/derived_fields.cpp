@@ -189,7 +189,7 @@ void DerivedFields::run_pair_sums(PairPass& pass) {
   if (pass.correction != nullptr && new_positions) wanted.correction = write(*pass.correction);
   if (!new_positions && pass.correction != nullptr && !pass.by_weights && wanted.count <= 2 && !wants_laplacian(pass))
     return loops.gradients(neighbours, state_.kernel, wanted, std::as_const(*pass.correction).view<Real>(device));
-  if (stages_follow_ && weights_stale() && !pass.by_weights && !wants_laplacian(pass))
+  if (stages_follow_ && weights_stale() && !pass.by_weights && !wants_laplacian(pass) && wanted.count % 2 == 0)
     return find_weights(neighbours, wanted);
   if (!pass.by_weights || wanted.correction) loops.derivatives(neighbours, state_.kernel, wanted);
   if (pass.by_weights) sph::derivatives<Real, Dim>(exec::Space{}, neighbours, weights(neighbours), wanted);

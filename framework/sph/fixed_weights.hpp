@@ -29,7 +29,8 @@ struct WeightsWanted {
 };
 
 /// Finds them by the volumes, and the form of the Laplacian, of `derivatives`, and in the same pass the gradients and
-/// the correction that are wanted there; Laplacians are not.
+/// the correction that are wanted there, of none, two or four scalars: what a vector and an order tensor have. Laplacians
+/// are not made.
 template <class Real, int Dim>
 MESOGEN_EXPORT void find_weights(const Neighbours<Real, Dim>& neighbours, const SmoothingKernel& kernel,
                                  const WeightsWanted& kinds, const Derivatives<Real, Dim>& derivatives,

@@ -11,7 +11,11 @@ namespace mesogen::test {
 
 namespace {
 
-const std::set<std::string> derived_from_f = {"volume", "correction", "f_gradient", "f_laplacian"};
+std::set<std::string> derived_from_f(bool stages) {
+  std::set<std::string> all = {"volume", "correction", "f_gradient"};
+  if (!stages) all.insert("f_laplacian");
+  return all;
+}
 
 sph::SmoothingKernel smoothing(const ParticleScene::Options& options) {
   const double h = options.smoothing_length * options.spacing;
@@ -61,8 +65,10 @@ ParticleScene::ParticleScene(const Options& options, const std::array<std::vecto
   f.name = "f";
   catalogue_.add_initial(f, "test");
   state_->add_field("f", 1, false);
-  fields_ = std::make_unique<DerivedFields>(*state_, catalogue_, derived_from_f, std::vector<std::set<std::string>>{},
-                                            DerivedFields::Form{options.consistent_laplacian, !options.still});
+  state_->add_field("laplacian", 1, false);
+  fields_ = std::make_unique<DerivedFields>(
+      *state_, catalogue_, derived_from_f(options.stages), std::vector<std::set<std::string>>{},
+      DerivedFields::Form{options.consistent_laplacian, !options.still, options.stages});
   state_->order.settle();
 }
 
@@ -79,6 +85,19 @@ void ParticleScene::set(const std::function<double(double x, double y)>& functio
 std::vector<double> ParticleScene::derived(const std::string& name, int component) {
   state_->order.settle();
   fields_->make(name);
+  return by_id(name, component);
+}
+
+std::vector<double> ParticleScene::laplacian_by_stages(const std::string& beside) {
+  state_->order.settle();
+  fields_->expect_stages(true);
+  if (!beside.empty()) fields_->make(beside);
+  fields_->laplacian(state_->fields.at("f"), state_->fields.at("laplacian"));
+  fields_->expect_stages(false);
+  return by_id("laplacian", 0);
+}
+
+std::vector<double> ParticleScene::by_id(const std::string& name, int component) const {
   const Field& field = state_->fields.at(name);
   const auto id = state_->particles.id.host();
   std::vector<double> values(id.size());

@@ -22,7 +22,8 @@ class ParticleScene {
     std::string kernel = "quintic";
     std::string boundary = "periodic_ghosts";
     bool consistent_laplacian = false;
-    bool still = false;  ///< as where particles never move; they may be moved all the same
+    bool still = false;   ///< as where particles never move; they may be moved all the same
+    bool stages = false;  ///< as in stabilised steps: Laplacians come from laplacian_by_stages() alone
     Precision precision = Precision::double_precision;
   };
 
@@ -36,6 +37,8 @@ class ParticleScene {
   void set(const std::function<double(double x, double y)>& function);
   /// Component of "volume", "correction", "f_gradient" or "f_laplacian", by id.
   [[nodiscard]] std::vector<double> derived(const std::string& field, int component = 0);
+  /// The Laplacian of f as stages need it, by id; `beside`: a derived field that is made first, in the same pass.
+  [[nodiscard]] std::vector<double> laplacian_by_stages(const std::string& beside = "");
   /// Moves every particle by (x, y)(id), m.
   void move(const std::function<std::array<double, 2>(std::int64_t id)>& by);
   /// How often weights were found for particles that keep still.
@@ -44,6 +47,8 @@ class ParticleScene {
   [[nodiscard]] State& state() { return *state_; }
 
  private:
+  [[nodiscard]] std::vector<double> by_id(const std::string& field, int component) const;
+
   std::unique_ptr<Boundary> boundary_;
   std::unique_ptr<State> state_;
   Catalogue catalogue_;

@@ -124,10 +124,13 @@ void find_weights_with(const Neighbours<Real, Dim>& neighbours, const SmoothingK
   with_kernel_function<Real>(kernel, [&](const auto& function) {
     const Pairs pairs(neighbours, function);
     const WeighedPairs source(pairs, wanted.volume);
-    with_count_or_none(wanted.count, [&](auto number) {
+    const auto run = [&](auto number) {
       using Loop = DerivativeLoop<Real, Dim, number, Fit, WeighedPairs<Real, Dim>, KeepWeights<Real, Dim>>;
       exec::for_each({}, (particles + Loop::group - 1) / Loop::group, Loop(source, fit, wanted, particles, keep));
-    });
+    };
+    if (wanted.count == 4) return run(std::integral_constant<int, 4>());
+    if (wanted.count == 2) return run(std::integral_constant<int, 2>());
+    run(std::integral_constant<int, 0>());
   });
 }
 

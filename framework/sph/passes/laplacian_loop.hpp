@@ -87,11 +87,6 @@ void with_count(int count, const Make& make) {
   }
 }
 
-template <class Make>
-void with_count_or_none(int count, const Make& make) {
-  count == 0 ? make(std::integral_constant<int, 0>()) : with_count(count, make);
-}
-
 template <class Real, int Dim, int Count, class Finish>
 void run_laplacians(const Neighbours<Real, Dim>& neighbours, const Real* weight,
                     const std::array<const Real*, Count>& source, const Finish& finish) {

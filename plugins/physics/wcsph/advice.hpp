@@ -16,6 +16,7 @@ struct FlowChoice {
   double density;                ///< the fluid's, kg/m3
   double creeping_density;       ///< that of inertia = false, kg/m3; infinite if the scene does not tell
   bool inertia;
+  bool strict;         ///< creeping, and c0 is chosen for a variation of the density that such a flow need not have
   double step;         ///< that sound and viscosity allow, s
   bool only_defaults;  ///< the case gives no key of this plugin's own
 };

@@ -75,9 +75,10 @@ void Fluid::declare(const Scene& scene, PassList& list, bool radial, bool plain)
     list.step_limit(StepCause::viscosity, rule, [this](const Scene& run) { return viscous_step(run); });
   else
     list.diffusion("velocity", "acceleration", viscosity_, StepCause::viscosity, rule).divided_by("density", density_);
-  plain = plain && density_variation_ == 0.01;
+  plain = plain && density_variation_ == usual_variation;
   list.advice([this, plain](const AdviceContext& context, std::vector<Suggestion>& suggestions) {
     advise({sound_.speed(), automatic_sound_speed_, physical_density_, artificial_density(context.scene), inertia_,
+            !inertia_ && !sound_speed_ && density_variation_ == usual_variation,
             std::min(sound_step(context.scene), viscous_step(context.scene)), plain},
            context, suggestions);
   });

@@ -10,6 +10,7 @@
 #include "mesogen/plugin/parameters.hpp"
 #include "mesogen/plugin/passes.hpp"
 #include "mesogen/plugin/scene.hpp"
+#include "sound_speed.hpp"
 
 namespace mesogen::wcsph {
 
@@ -52,7 +53,7 @@ class Fluid {
   double viscosity_ = 0.0;
   std::optional<double> sound_speed_;
   std::optional<double> expected_speed_;
-  double density_variation_ = 0.01;
+  double density_variation_ = usual_variation;
   AdaptiveSound sound_;
   double automatic_sound_speed_ = 0.0;
   bool radial_ = false;

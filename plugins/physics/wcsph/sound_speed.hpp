@@ -9,6 +9,10 @@
 
 namespace mesogen::wcsph {
 
+/// delta by default, and as large as a creeping flow may have it.
+inline constexpr double usual_variation = 0.01;
+inline constexpr double creeping_variation = 0.05;
+
 /// Stresses that come and go may compress the fluid this many times as much as lasting ones.
 inline constexpr double passing_share = 5.0;
 

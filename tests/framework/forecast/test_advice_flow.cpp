@@ -140,6 +140,30 @@ CaseText creeping_film(double spacing, const std::string& flow) {
       .section("time", "end = 1.0\nstepping = \"explicit\"");
 }
 
+double distance_from_stokes(CaseRun& run, std::size_t columns) {
+  return profile_beside_stokes(run, {.columns = columns, .width = 20e-6, .activity = 0.5, .viscosity = 0.1}).distance;
+}
+
+TEST(Advice, ACreepingFlowTakesFewerStepsWithASlowerSound) {
+  const CaseText text = creeping_film(0.8e-6, "inertia = false").section("time", "end = 1.0");
+  const auto found = advised(text, "creeping_sound");
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->finding,
+            "the speed of sound is chosen for a density that varies by 0.01, but that of a creeping flow is "
+            "artificial, and limits the step");
+  EXPECT_EQ(found->settings, std::vector<std::string>{"physics.flow.density_variation=0.05"});
+  EXPECT_EQ(found->gain, "up to 5 times fewer steps, with more stages; the velocity is off by some 0.8 % more");
+  CaseRun before(text);
+  CaseRun after(text, found->settings);
+  for (CaseRun* run : {&before, &after}) run->run_to(1.0);
+  EXPECT_NEAR(static_cast<double>(before.state().step) / static_cast<double>(after.state().step), 5.0, 0.1);
+  EXPECT_LT(distance_from_stokes(after, 10), distance_from_stokes(before, 10) + 0.008);
+  expect_settled(text, *found);
+  // With inertia the density is the fluid's; explicit steps have another limit.
+  EXPECT_FALSE(advised(creeping_film(0.8e-6, "").section("time", "end = 1.0"), "creeping_sound"));
+  EXPECT_FALSE(advised(creeping_film(0.8e-6, "inertia = false"), "creeping_sound"));
+}
+
 TEST(Advice, ASmallerSpacingBringsTheFlowBetweenWallsNearerToStokes) {
   const CaseText text = creeping_film(0.8e-6, "inertia = false\nrelaxation_ratio = 60");
   const auto found = advised(text, "flow_under_resolved");
@@ -149,7 +173,7 @@ TEST(Advice, ASmallerSpacingBringsTheFlowBetweenWallsNearerToStokes) {
   EXPECT_EQ(found->gain, "the velocity is off by some 1.8 %, with 4 times as many particles");
   const auto distance = [](CaseRun& run, std::size_t columns) {
     run.run_to(0.04);
-    return profile_beside_stokes(run, {.columns = columns, .width = 20e-6, .activity = 0.5, .viscosity = 0.1}).distance;
+    return distance_from_stokes(run, columns);
   };
   CaseRun before(text);
   CaseRun after(text, found->settings);

@@ -15,43 +15,52 @@ using namespace mesogen::test;
 
 double wave(double x, double y) { return std::sin(2.0 * std::numbers::pi * (2.0 * x - y)) + 3.0; }
 
+/// The largest difference over the largest value.
+double difference(const std::vector<double>& values, const std::vector<double>& others) {
+  double most = 0.0;
+  double scale = 0.0;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    most = std::max(most, std::abs(values[i] - others[i]));
+    scale = std::max(scale, std::abs(values[i]));
+  }
+  return most / scale;
+}
+
+double difference(ParticleScene& a, ParticleScene& b, const char* field, int component) {
+  return difference(a.derived(field, component), b.derived(field, component));
+}
+
 /// Boundary, precision, consistent Laplacian.
 class FixedWeights : public testing::TestWithParam<std::tuple<const char*, Precision, bool>> {
  protected:
   static constexpr int across = 24;
 
-  /// The largest difference over the largest value.
-  [[nodiscard]] static double difference(ParticleScene& a, ParticleScene& b, const char* field, int component) {
-    const auto values = a.derived(field, component);
-    const auto others = b.derived(field, component);
-    double most = 0.0;
-    double scale = 0.0;
-    for (std::size_t i = 0; i < values.size(); ++i) {
-      most = std::max(most, std::abs(values[i] - others[i]));
-      scale = std::max(scale, std::abs(values[i]));
-    }
-    return most / scale;
+  [[nodiscard]] static ParticleScene::Options options() {
+    ParticleScene::Options options;
+    options.spacing = 1.0 / across;
+    options.boundary = std::get<0>(GetParam());
+    options.precision = std::get<1>(GetParam());
+    options.consistent_laplacian = std::get<2>(GetParam());
+    return options;
+  }
+  [[nodiscard]] static double rounding() {
+    return std::get<1>(GetParam()) == Precision::double_precision ? 1e-11 : 1e-3;
   }
 
   void expect_same(ParticleScene& a, ParticleScene& b) const {
-    const double rounding = std::get<1>(GetParam()) == Precision::double_precision ? 1e-11 : 1e-3;
-    EXPECT_LT(difference(a, b, "f_laplacian", 0), rounding);
-    EXPECT_LT(difference(a, b, "f_gradient", 0), rounding);
-    EXPECT_LT(difference(a, b, "f_gradient", 1), rounding);
-    EXPECT_LT(difference(a, b, "correction", 1), rounding);
+    EXPECT_LT(difference(a, b, "f_laplacian", 0), rounding());
+    EXPECT_LT(difference(a, b, "f_gradient", 0), rounding());
+    EXPECT_LT(difference(a, b, "f_gradient", 1), rounding());
+    EXPECT_LT(difference(a, b, "correction", 1), rounding());
   }
 };
 
 TEST_P(FixedWeights, GiveTheDerivativesOfThePairSums) {
-  ParticleScene::Options options;
-  options.spacing = 1.0 / across;
-  options.boundary = std::get<0>(GetParam());
-  options.precision = std::get<1>(GetParam());
-  options.consistent_laplacian = std::get<2>(GetParam());
+  auto of_scene = options();
   const auto points = jittered(across, across, 1.0 / across, 0.2);
-  ParticleScene computed(options, points);
-  options.still = true;
-  ParticleScene weighted(options, points);
+  ParticleScene computed(of_scene, points);
+  of_scene.still = true;
+  ParticleScene weighted(of_scene, points);
   for (ParticleScene* scene : {&computed, &weighted}) scene->set(wave);
   expect_same(computed, weighted);
   const auto first = weighted.derived("f_laplacian");
@@ -68,6 +77,38 @@ TEST_P(FixedWeights, GiveTheDerivativesOfThePairSums) {
   }
   expect_same(computed, weighted);
   EXPECT_EQ(weighted.weights_found(), 2);
+}
+
+// The first pass over pairs of a step with stages finds their weights, too.
+TEST_P(FixedWeights, AreFoundBesideGradients) {
+  auto of_scene = options();
+  const auto points = jittered(across, across, 1.0 / across, 0.2);
+  ParticleScene computed(of_scene, points);
+  of_scene.stages = true;
+  ParticleScene beside(of_scene, points);
+  ParticleScene alone(of_scene, points);
+  for (ParticleScene* scene : {&computed, &beside, &alone}) scene->set(wave);
+  const auto expected = computed.derived("f_laplacian");
+  EXPECT_LT(difference(beside.laplacian_by_stages("f_gradient"), expected), rounding());
+  EXPECT_LT(difference(alone.laplacian_by_stages(), expected), rounding());
+  EXPECT_EQ(beside.weights_found(), 0);  // in no pass of their own
+  EXPECT_EQ(alone.weights_found(), 1);
+  for (const int axis : {0, 1}) EXPECT_LT(difference(computed, beside, "f_gradient", axis), rounding());
+  EXPECT_LT(difference(computed, beside, "correction", 3), rounding());
+}
+
+// What changes where particles stay takes the correction that is known.
+TEST_P(FixedWeights, GradientsOfAnotherFieldAtTheSamePlaces) {
+  auto of_scene = options();
+  of_scene.stages = true;
+  const auto points = jittered(across, across, 1.0 / across, 0.2);
+  ParticleScene fresh(of_scene, points);
+  ParticleScene again(of_scene, points);
+  again.set(wave);
+  const auto first = again.derived("f_gradient");
+  for (ParticleScene* scene : {&fresh, &again}) scene->set([](double x, double y) { return std::cos(4.0 * x) - y; });
+  for (const int axis : {0, 1}) EXPECT_LT(difference(fresh, again, "f_gradient", axis), rounding());
+  EXPECT_NE(again.derived("f_gradient"), first);
 }
 
 INSTANTIATE_TEST_SUITE_P(All, FixedWeights,

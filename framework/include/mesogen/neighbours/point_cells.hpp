@@ -203,6 +203,8 @@ class PointCells {
       number = number * cells + row[index(d)] - image * cells;
     }
     const int columns = cells_[0];
+    if (first >= 0 && last < columns)
+      return visit(begin_[index_of(number, first)], begin_[index_of(number, last) + 1], shift);
     for (const int image : {-1, 0, 1}) {
       const int from = std::max(first - image * columns, 0);
       const int to = std::min(last - image * columns, columns - 1);
