@@ -26,9 +26,9 @@ struct ImageSearch {
   double box[3];              ///< m
   int dimension;
   double reach;        ///< how far beyond the faces, m
-  bool middle_unseen;  ///< no image of a point that is farther than that from all faces is seen
+  bool middle_unseen;  ///< the box sees no image of a point that is farther than `reach` from every face
 
-  /// Is no image of point i seen, for this reason?
+  /// Is point i so far from every face that the box sees no image of it?
   [[nodiscard]] MESOGEN_HOST_DEVICE bool in_middle(Index i) const {
     bool inside = middle_unseen;
     exec::for_axes(dimension,

@@ -5,7 +5,6 @@
 #include <limits>
 
 #include "mesogen/exec/counting_sort.hpp"
-#include "mesogen/exec/dispatch.hpp"
 #include "mesogen/neighbours/point_cells.hpp"
 #include "mesogen/sph/kernel_function.hpp"
 
@@ -13,7 +12,8 @@ namespace mesogen::mesh {
 
 namespace {
 
-constexpr int lanes = 8;
+using Pack = exec::Pack<double>;
+constexpr auto lanes = static_cast<int>(Pack::size());
 
 using Values = std::array<double, 2>;
 
@@ -38,16 +38,14 @@ struct RowOfNodes {
   [[nodiscard]] int packs() const { return (static_cast<int>(2.0 * reach / spacing) + 2 + lanes - 1) / lanes; }
 };
 
-template <class Real>
 struct Carried {
   double y;
-  int node;    // the first that it reaches
-  Real along;  // from there to the particle, m
-  Real value[2];
+  int node;      // the first that it reaches
+  double along;  // from there to the particle, m
+  double value[2];
 };
 
 /// Particles sorted by the band of the box, as high as a row of nodes, in which they are.
-template <class Real>
 class Bands {
  public:
   Bands(const Carriers& particles, int count, double height, const RowOfNodes& row) : count_(count), height_(height) {
@@ -63,10 +61,8 @@ class Bands {
         [&](Index i, Index to) {
           const auto n = static_cast<std::size_t>(i);
           const int node = row.first_node(x[n]);
-          sorted_[static_cast<std::size_t>(to)] = {y[n],
-                                                   node,
-                                                   Real(x[n] - (row.first + node * row.spacing)),
-                                                   {Real(particles.field(0, i)), Real(particles.field(1, i))}};
+          sorted_[static_cast<std::size_t>(to)] = {
+              y[n], node, x[n] - (row.first + node * row.spacing), {particles.field(0, i), particles.field(1, i)}};
         });
   }
 
@@ -87,32 +83,29 @@ class Bands {
  private:
   int count_;
   double height_;
-  std::vector<Carried<Real>> sorted_;
+  std::vector<Carried> sorted_;
   std::vector<Index> begin_;  // of each band
 };
 
 /// Weighted sums at the nodes of one row.
-template <class Real>
 class Sums {
-  using Pack = exec::stdx::simd<Real, exec::stdx::simd_abi::deduce_t<Real, lanes>>;
-
  public:
   explicit Sums(const RowOfNodes& row) : count_(row.count), beyond_(row.beyond), packs_(row.packs()) {
     for (auto& sum : sum_) sum.resize(static_cast<std::size_t>(count_ + 2 * beyond_ + packs_ * lanes));
-    for (int lane = 0; lane < lanes; ++lane) lane_[lane] = Real(lane * row.spacing);
-    pack_length_ = Real(lanes * row.spacing);
+    for (int lane = 0; lane < lanes; ++lane) lane_[lane] = lane * row.spacing;
+    pack_length_ = lanes * row.spacing;
   }
 
   void clear() {
-    for (auto& sum : sum_) std::fill(sum.begin(), sum.end(), Real(0));
+    for (auto& sum : sum_) std::fill(sum.begin(), sum.end(), 0.0);
   }
 
   /// A particle at the distance `across` from the row. Weights are zero at nodes that it does not reach.
   template <class Kernel>
-  void add(const Carried<Real>& particle, double across, const Kernel& kernel) {
-    const Pack square(Real(std::max(across * across, nearest_square)));
+  void add(const Carried& particle, double across, const Kernel& kernel) {
+    const Pack square(std::max(across * across, 1e-200));  // above 0: a root is found through its inverse
     for (int n = 0; n < packs_; ++n) {
-      const Pack along = lane_ + (Real(n) * pack_length_ - particle.along);
+      const Pack along = lane_ + (n * pack_length_ - particle.along);
       const Pack weight = kernel.value(exec::find_root(Pack(along * along + square)));
       const int i = particle.node + n * lanes;
       accumulate(sum_[0], i, weight);
@@ -134,16 +127,13 @@ class Sums {
     }
     for (int i = 0; i < count_; ++i) {
       const auto at = static_cast<std::size_t>(beyond_ + i);
-      to[i] = {double(sum_[1][at]) / double(sum_[0][at]), double(sum_[2][at]) / double(sum_[0][at])};
+      to[i] = {sum_[1][at] / sum_[0][at], sum_[2][at] / sum_[0][at]};
     }
   }
 
  private:
-  // Above 0: a root is found through its inverse.
-  static constexpr double nearest_square = sizeof(Real) == 4 ? 1e-30 : 1e-200;
-
-  static void accumulate(std::vector<Real>& sum, int i, const Pack& what) {
-    Real* const to = sum.data() + i;
+  static void accumulate(std::vector<double>& sum, int i, const Pack& what) {
+    double* const to = sum.data() + i;
     Pack there;
     exec::load(to, there);
     exec::store(there + what, to);
@@ -152,9 +142,9 @@ class Sums {
   int count_;
   int beyond_;
   int packs_;
-  Real pack_length_;                      // m
-  Pack lane_;                             // distance of the lanes from the first, m
-  std::array<std::vector<Real>, 3> sum_;  // of weights, and of weights times either value
+  double pack_length_;                      // m
+  Pack lane_;                               // distance of the lanes from the first, m
+  std::array<std::vector<double>, 3> sum_;  // of weights, and of weights times either value
 };
 
 template <class Kernel>
@@ -193,23 +183,22 @@ void look_farther(const Scene& scene, const Nodes& nodes, const Carriers& partic
   }
 }
 
-template <class Real>
 bool add_up(const Scene& scene, const Nodes& nodes, const Carriers& particles, const sph::SmoothingKernel& kernel,
             std::vector<Values>& means) {
   const auto columns = static_cast<std::size_t>(nodes.count[0]);
   const double radius = kernel.radius();
   const RowOfNodes row(nodes, radius);
-  const Bands<Real> bands(particles, nodes.count[1], nodes.spacing[1], row);
+  const Bands bands(particles, nodes.count[1], nodes.spacing[1], row);
   bool unknown = false;
-  sph::with_kernel_function<Real>(kernel, [&](const auto& function) {
+  sph::with_kernel_function<double>(kernel, [&](const auto& function) {
 #pragma omp parallel reduction(|| : unknown)
     {
-      Sums<Real> sums(row);
+      Sums sums(row);
 #pragma omp for schedule(static)
       for (int j = 0; j < nodes.count[1]; ++j) {
         sums.clear();
         bands.around(nodes.first[1] + j * nodes.spacing[1], radius, scene.periodic[1],
-                     [&](const Carried<Real>& particle, double across) {
+                     [&](const Carried& particle, double across) {
                        if (across * across <= radius * radius) sums.add(particle, across, function);
                      });
         Values* const here = &means[static_cast<std::size_t>(j) * columns];
@@ -226,8 +215,7 @@ bool add_up(const Scene& scene, const Nodes& nodes, const Carriers& particles, c
 std::vector<Values> node_means(const Scene& scene, const Nodes& nodes, const Carriers& particles,
                                const sph::SmoothingKernel& kernel) {
   std::vector<Values> means(static_cast<std::size_t>(nodes.count[0]) * static_cast<std::size_t>(nodes.count[1]));
-  const bool unknown =
-      dispatch(scene.precision, [&]<class Real>() { return add_up<Real>(scene, nodes, particles, kernel, means); });
+  const bool unknown = add_up(scene, nodes, particles, kernel, means);
   if (unknown)
     sph::with_kernel_function<double>(
         kernel, [&](const auto& function) { look_farther(scene, nodes, particles, function, kernel.radius(), means); });

@@ -31,18 +31,16 @@ std::vector<double> StateView::position(int axis) const {
   const auto position = exec::pointers(state_.particles.position, exec::Side::host);
   const Scene& scene = state_.scene;
   const auto count = state_.particles.count();
-  Index outside = 0;  // of those that left the box since the last sorting
-  for (int d = 0; d < scene.dimension; ++d) {
-    const double* const along = position[d];
-    const double length = scene.box[d];
-#pragma omp parallel for simd schedule(static) reduction(+ : outside)
-    for (Index i = 0; i < count; ++i) outside += along[i] >= 0.0 && along[i] < length ? 0 : 1;
-  }
+  Index outside = 0;  // how many have left the box since the last sorting
+#pragma omp parallel for schedule(static) reduction(+ : outside)
+  for (Index i = 0; i < count; ++i)
+    outside += exec::is_inside(position.data(), scene.box.data(), scene.dimension, i) ? 0 : 1;
   const double* const wanted = position[axis];
 #pragma omp parallel for simd schedule(static)
   for (Index i = 0; i < count; ++i) all[static_cast<std::size_t>(i)] = wanted[i];
   for (Index i = 0; i < count && outside > 0; ++i) {
     if (exec::is_inside(position.data(), scene.box.data(), scene.dimension, i)) continue;
+    --outside;
     std::array<double, 3> at{};
     std::array<std::int32_t, 3> images{};
     for (int d = 0; d < scene.dimension; ++d) at[d] = position[d][i];

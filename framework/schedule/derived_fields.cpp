@@ -74,6 +74,12 @@ DerivedFields::DerivedFields(State& state, const Catalogue& catalogue, const std
         []<class Real, int Dim>() -> std::unique_ptr<Weights> { return std::make_unique<WeightsOf<Real, Dim>>(); });
   if (weights_) weights_->laplacian = form_.stages;
   add_passes(shared, for_integration.contains("correction"), true);
+  // Always the same pass, whoever asks for it first: observing is to leave no trace.
+  const auto finds = std::ranges::find_if(passes_, [](const PairPass& pass) {
+    return !pass.volume && !pass.by_weights && !wants_laplacian(pass) &&
+           sph::made_beside_weights(static_cast<int>(pass.components.size()));
+  });
+  if (form_.stages && weights_ && finds != passes_.end()) finds->finds_weights = true;
   for (const std::string& field : all)
     if (!for_integration.contains(field)) alone.push_back(field);
   for (const std::string& field : alone) {
@@ -187,10 +193,11 @@ void DerivedFields::run_pair_sums(PairPass& pass) {
   }
   wanted.consistent = form_.consistent_laplacian;
   if (pass.correction != nullptr && new_positions) wanted.correction = write(*pass.correction);
-  if (!new_positions && pass.correction != nullptr && !pass.by_weights && wanted.count <= 2 && !wants_laplacian(pass))
+  // Two at most, as many as a vector has.
+  const bool gradients_alone = !pass.by_weights && !wants_laplacian(pass);
+  if (gradients_alone && !new_positions && pass.correction != nullptr && wanted.count <= 2)
     return loops.gradients(neighbours, state_.kernel, wanted, std::as_const(*pass.correction).view<Real>(device));
-  if (stages_follow_ && weights_stale() && !pass.by_weights && !wants_laplacian(pass) && wanted.count % 2 == 0)
-    return find_weights(neighbours, wanted);
+  if (stages_follow_ && pass.finds_weights && new_positions) return find_weights(neighbours, wanted);
   if (!pass.by_weights || wanted.correction) loops.derivatives(neighbours, state_.kernel, wanted);
   if (pass.by_weights) sph::derivatives<Real, Dim>(exec::Space{}, neighbours, weights(neighbours), wanted);
 }
@@ -276,7 +283,7 @@ const sph::FixedWeights<Real, Dim>& DerivedFields::weights(const Neighbours<Real
 std::vector<Counter> DerivedFields::counters() const {
   std::vector<Counter> all;
   for (const PairPass& pass : passes_) all.push_back(pass.counter);
-  if (weights_) all.push_back(finding_);
+  if (finding_.runs > 0) all.push_back(finding_);
   if (form_.stages) all.push_back(staging_);
   return all;
 }

@@ -48,8 +48,18 @@ class MESOGEN_EXPORT DerivedFields {
   [[nodiscard]] bool prescribes(const std::string& field) const {
     return prescribed_ != nullptr && prescribed_->has(field);
   }
-  /// Whether stages will need the weights of pairs where particles now are: the next pass over pairs then finds them.
-  void expect_stages(bool follow) { stages_follow_ = follow && form_.stages; }
+  /// As long as it lives, stages will need the weights of pairs where particles now are: one of the passes over pairs
+  /// finds them beside what it makes.
+  class BeforeStages {
+   public:
+    explicit BeforeStages(DerivedFields& fields) : fields_(fields) { fields_.stages_follow_ = true; }
+    ~BeforeStages() { fields_.stages_follow_ = false; }
+    BeforeStages(const BeforeStages&) = delete;
+    BeforeStages& operator=(const BeforeStages&) = delete;
+
+   private:
+    DerivedFields& fields_;
+  };
   /// Brings a derived field, or one that is prescribed, up to date.
   void make(const std::string& field);
   /// The Laplacian of any field now, which is brought up to date at ghosts and walls; `result` has as many components.
@@ -76,6 +86,7 @@ class MESOGEN_EXPORT DerivedFields {
     Field* correction = nullptr;
     bool volume = false;
     bool by_weights = false;             // otherwise computed anew at each run
+    bool finds_weights = false;          // of the stages that follow
     std::uint64_t positions = 0;         // version of the neighbourhood when last run
     std::vector<std::uint64_t> sources;  // versions of the sources then
     Counter counter;

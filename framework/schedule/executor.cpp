@@ -1,6 +1,7 @@
 #include "schedule/executor.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <set>
 
 #include "mesogen/diagnostics/error.hpp"
@@ -110,7 +111,8 @@ Executor::Executor(State& state, StepGraph& graph, DerivedFields& derived)
 }
 
 void Executor::run(Phase phase, const std::vector<bool>& reader_due, const std::function<void()>& advance_velocity) {
-  derived_.expect_stages(phase == Phase::rates);
+  std::optional<DerivedFields::BeforeStages> before_stages;
+  if (phase == Phase::begin || phase == Phase::rates) before_stages.emplace(derived_);
   const auto& order = graph_.order(phase);
   std::vector<std::size_t> due;
   for (const std::size_t n : order) {
@@ -137,7 +139,6 @@ void Executor::run(Phase phase, const std::vector<bool>& reader_due, const std::
   std::for_each(due.begin(), rest, run_one);
   if (advance_velocity) advance_velocity();
   std::for_each(rest, due.end(), run_one);
-  derived_.expect_stages(false);
 }
 
 void Executor::run_alone(ScheduledPass& scheduled) {

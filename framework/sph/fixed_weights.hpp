@@ -28,9 +28,11 @@ struct WeightsWanted {
   bool gradient = false;
 };
 
-/// Finds them by the volumes, and the form of the Laplacian, of `derivatives`, and in the same pass the gradients and
-/// the correction that are wanted there, of none, two or four scalars: what a vector and an order tensor have. Laplacians
-/// are not made.
+/// Of how many scalars derivatives can be made while weights are found: those of a vector, of an order tensor, of both.
+constexpr bool made_beside_weights(int scalars) { return scalars == 0 || scalars == 2 || scalars == 4; }
+
+/// Finds the weights. In the same pass it makes the gradients and the correction that `derivatives` asks for, but no
+/// Laplacians. Throws std::logic_error unless made_beside_weights(derivatives.count).
 template <class Real, int Dim>
 MESOGEN_EXPORT void find_weights(const Neighbours<Real, Dim>& neighbours, const SmoothingKernel& kernel,
                                  const WeightsWanted& kinds, const Derivatives<Real, Dim>& derivatives,

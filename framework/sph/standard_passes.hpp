@@ -41,8 +41,8 @@ template <class Real, int Dim>
 MESOGEN_EXPORT void derivatives(const exec::Space& space, const Neighbours<Real, Dim>& neighbours,
                                 const SmoothingKernel& kernel, const Derivatives<Real, Dim>& wanted);
 
-/// Gradients alone, of one or two scalars, with a correction that `derivatives` has made where particles still are: each
-/// pair is then visited once.
+/// Gradients alone, of one or two scalars, with a correction that `derivatives` has made where particles still are.
+/// Each pair is visited once.
 template <class Real, int Dim>
 MESOGEN_EXPORT void gradients(const exec::Space& space, const Neighbours<Real, Dim>& neighbours,
                               const SmoothingKernel& kernel, const Derivatives<Real, Dim>& wanted,

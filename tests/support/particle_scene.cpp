@@ -63,9 +63,10 @@ ParticleScene::ParticleScene(const Options& options, const std::array<std::vecto
       catalogue_(2) {
   FieldDeclaration f;
   f.name = "f";
+  f.rank = options.rank;
   catalogue_.add_initial(f, "test");
-  state_->add_field("f", 1, false);
-  state_->add_field("laplacian", 1, false);
+  state_->add_field("f", catalogue_.components("f"), false);
+  state_->add_field("laplacian", catalogue_.components("f"), false);
   fields_ = std::make_unique<DerivedFields>(
       *state_, catalogue_, derived_from_f(options.stages), std::vector<std::set<std::string>>{},
       DerivedFields::Form{options.consistent_laplacian, !options.still, options.stages});
@@ -77,7 +78,8 @@ void ParticleScene::set(const std::function<double(double x, double y)>& functio
   const Particles& particles = state_->particles;
   for (Index i = 0; i < particles.count(); ++i) {
     const auto n = static_cast<std::size_t>(i);
-    f.set(0, i, function(particles.position[0].host()[n], particles.position[1].host()[n]));
+    const double value = function(particles.position[0].host()[n], particles.position[1].host()[n]);
+    for (int c = 0; c < f.components(); ++c) f.set(c, i, (c + 1) * value);
   }
   ++f.version;
 }
@@ -88,13 +90,12 @@ std::vector<double> ParticleScene::derived(const std::string& name, int componen
   return by_id(name, component);
 }
 
-std::vector<double> ParticleScene::laplacian_by_stages(const std::string& beside) {
+std::vector<double> ParticleScene::laplacian_by_stages(const std::string& beside, int component) {
   state_->order.settle();
-  fields_->expect_stages(true);
+  const DerivedFields::BeforeStages before(*fields_);
   if (!beside.empty()) fields_->make(beside);
   fields_->laplacian(state_->fields.at("f"), state_->fields.at("laplacian"));
-  fields_->expect_stages(false);
-  return by_id("laplacian", 0);
+  return by_id("laplacian", component);
 }
 
 std::vector<double> ParticleScene::by_id(const std::string& name, int component) const {

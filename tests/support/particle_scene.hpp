@@ -12,7 +12,8 @@
 
 namespace mesogen::test {
 
-/// Particles of a test in a box, with one scalar field "f" and all that the framework derives from it.
+/// Particles of a test in a box, with one field "f", a scalar if nothing else is asked for, and all that the framework
+/// derives from it.
 class ParticleScene {
  public:
   struct Options {
@@ -22,8 +23,9 @@ class ParticleScene {
     std::string kernel = "quintic";
     std::string boundary = "periodic_ghosts";
     bool consistent_laplacian = false;
-    bool still = false;   ///< as where particles never move; they may be moved all the same
-    bool stages = false;  ///< as in stabilised steps: Laplacians come from laplacian_by_stages() alone
+    bool still = false;        ///< as where particles never move; they may be moved all the same
+    Rank rank = Rank::scalar;  ///< of f
+    bool stages = false;       ///< as in stabilised steps: Laplacians come from laplacian_by_stages() alone
     Precision precision = Precision::double_precision;
   };
 
@@ -33,12 +35,13 @@ class ParticleScene {
   ParticleScene(const Options& options, const std::array<std::vector<double>, 2>& points,
                 std::unique_ptr<Boundary> boundary);
 
-  /// f = function(x, y) at the particles' coordinates, as they are stored.
+  /// f = function(x, y), and in other components twice, three times that, at the particles' coordinates, as they are
+  /// stored.
   void set(const std::function<double(double x, double y)>& function);
   /// Component of "volume", "correction", "f_gradient" or "f_laplacian", by id.
   [[nodiscard]] std::vector<double> derived(const std::string& field, int component = 0);
   /// The Laplacian of f as stages need it, by id; `beside`: a derived field that is made first, in the same pass.
-  [[nodiscard]] std::vector<double> laplacian_by_stages(const std::string& beside = "");
+  [[nodiscard]] std::vector<double> laplacian_by_stages(const std::string& beside = "", int component = 0);
   /// Moves every particle by (x, y)(id), m.
   void move(const std::function<std::array<double, 2>(std::int64_t id)>& by);
   /// How often weights were found for particles that keep still.

@@ -4,6 +4,7 @@
 #ifndef __CUDACC__
 
 #include <algorithm>
+#include <stdexcept>
 
 #include "sph/passes/derivatives.hpp"
 #include "sph/passes/laplacian_loop.hpp"
@@ -20,7 +21,8 @@ class KeepWeights {
  public:
   static constexpr bool keeps = true;
 
-  KeepWeights(const Neighbours<Real, Dim>& neighbours, FixedWeights<Real, Dim>& weights) : neighbours_(neighbours) {
+  KeepWeights(const Neighbours<Real, Dim>& neighbours, FixedWeights<Real, Dim>& weights)
+      : block_begin_(neighbours.block_begin), block_(neighbours.block) {
     if (!weights.laplacian.empty()) laplacian_ = weights.laplacian.data();
     for (int d = 0; d < Dim; ++d)
       if (!weights.gradient[d].empty()) gradient_[d] = weights.gradient[d].data();
@@ -28,7 +30,7 @@ class KeepWeights {
 
   class OfParticle {
    public:
-    OfParticle(const KeepWeights& all, Index i) : all_(all), block_(all.neighbours_.block_begin[i]) {}
+    OfParticle(const KeepWeights& all, Index i) : all_(all), block_(all.block_begin_[i]) {}
 
     /// The weights of the next pack.
     template <class Fit>
@@ -49,7 +51,7 @@ class KeepWeights {
     [[gnu::always_inline]] std::int64_t next() {
       const std::int64_t place = block_ * NeighbourBlock::width<Real> + lane_;
       lane_ += int(Lane::size());
-      if (lane_ >= all_.neighbours_.block[block_].lanes) {
+      if (lane_ >= all_.block_[block_].lanes) {
         lane_ = 0;
         ++block_;
       }
@@ -64,7 +66,8 @@ class KeepWeights {
   [[nodiscard]] OfParticle of(Index i) const { return {*this, i}; }
 
  private:
-  Neighbours<Real, Dim> neighbours_;
+  const std::int64_t* block_begin_;
+  const NeighbourBlock* block_;
   Real* laplacian_ = nullptr;
   Real* gradient_[Dim] = {};
 };
@@ -139,6 +142,7 @@ void find_weights_with(const Neighbours<Real, Dim>& neighbours, const SmoothingK
 template <class Real, int Dim>
 void find_weights(const Neighbours<Real, Dim>& neighbours, const SmoothingKernel& kernel, const WeightsWanted& kinds,
                   const Derivatives<Real, Dim>& wanted, FixedWeights<Real, Dim>& weights) {
+  if (!made_beside_weights(wanted.count)) throw std::logic_error("derivatives that are not made beside weights");
   const auto room =
       static_cast<std::size_t>(neighbours.block_begin[neighbours.particle_count]) * NeighbourBlock::width<Real>;
   if (kinds.laplacian) weights.laplacian.resize(room);

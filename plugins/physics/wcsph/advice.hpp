@@ -16,7 +16,9 @@ struct FlowChoice {
   double density;                ///< the fluid's, kg/m3
   double creeping_density;       ///< that of inertia = false, kg/m3; infinite if the scene does not tell
   bool inertia;
-  bool strict;         ///< creeping, and c0 is chosen for a variation of the density that such a flow need not have
+  /// c0 for creeping_variation, m/s, where the flow is creeping and c0 follows from the usual density_variation;
+  /// otherwise 0
+  double slower_sound_speed;
   double step;         ///< that sound and viscosity allow, s
   bool only_defaults;  ///< the case gives no key of this plugin's own
 };

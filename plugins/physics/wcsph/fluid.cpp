@@ -76,15 +76,15 @@ void Fluid::declare(const Scene& scene, PassList& list, bool radial, bool plain)
   else
     list.diffusion("velocity", "acceleration", viscosity_, StepCause::viscosity, rule).divided_by("density", density_);
   plain = plain && density_variation_ == usual_variation;
-  list.advice([this, plain](const AdviceContext& context, std::vector<Suggestion>& suggestions) {
+  const bool usual_creeping = plain && !inertia_ && !sound_speed_;
+  list.advice([this, plain, usual_creeping](const AdviceContext& context, std::vector<Suggestion>& suggestions) {
     advise({sound_.speed(), automatic_sound_speed_, physical_density_, artificial_density(context.scene), inertia_,
-            !inertia_ && !sound_speed_ && density_variation_ == usual_variation,
+            usual_creeping ? automatic_speed(context.scene, creeping_variation) : 0.0,
             std::min(sound_step(context.scene), viscous_step(context.scene)), plain},
            context, suggestions);
   });
 }
 
-// Above what is needed the sound may be as fast, at no cost, as the acoustic limit on the step meets the viscous one.
 void Fluid::choose(const Scene& scene) {
   density_ = scene.constant("density");
   if (!std::isfinite(density_))
@@ -92,16 +92,18 @@ void Fluid::choose(const Scene& scene) {
                        "a creeping flow needs to know how fast the scene changes, and nothing in it tells: there is no "
                        "nematic, moving wall or initial velocity. Give expected_speed, the largest speed of the flow, "
                        "or leave inertia out");
-  const auto* const begin = scene.box.begin();
-  const auto* const end = begin + scene.dimension;
-  const double needed =
-      needed_sound_speed(density_, viscosity_, density_variation_, scene.scales, *std::min_element(begin, end));
-  const double free = 0.25 * scene.smoothing_length / viscous_step(scene);
-  automatic_sound_speed_ = std::max(needed, free);
-  sound_.start(sound_speed_.value_or(automatic_sound_speed_), density_variation_, *std::max_element(begin, end),
-               !sound_speed_);
+  automatic_sound_speed_ = automatic_speed(scene, density_variation_);
+  sound_.start(sound_speed_.value_or(automatic_sound_speed_), density_variation_,
+               *std::max_element(scene.box.begin(), scene.box.begin() + scene.dimension), !sound_speed_);
   smoothing_length_ = scene.smoothing_length;
   mass_ = density_ * std::pow(scene.spacing, scene.dimension);
+}
+
+// Above what is needed the sound may be as fast, at no cost, as the acoustic limit on the step meets the viscous one.
+double Fluid::automatic_speed(const Scene& scene, double variation) const {
+  const double shortest = *std::min_element(scene.box.begin(), scene.box.begin() + scene.dimension);
+  const double needed = needed_sound_speed(density_, viscosity_, variation, scene.scales, shortest);
+  return std::max(needed, 0.25 * scene.smoothing_length / viscous_step(scene));
 }
 
 double Fluid::artificial_density(const Scene& scene) const {

@@ -41,6 +41,8 @@ class Fluid {
   [[nodiscard]] AdaptiveSound& sound() { return sound_; }
 
  private:
+  /// c0 as it is chosen for this variation of the density.
+  [[nodiscard]] double automatic_speed(const Scene& scene, double variation) const;
   [[nodiscard]] double artificial_density(const Scene& scene) const;
   [[nodiscard]] double sound_step(const Scene& scene) const;
   [[nodiscard]] double viscous_step(const Scene& scene) const;

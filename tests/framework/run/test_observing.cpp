@@ -52,6 +52,12 @@ TEST_P(Observing, LeavesNoTraceInWeaklyCompressibleFlow) {
 INSTANTIATE_TEST_SUITE_P(All, Observing, testing::Values("periodic_ghosts", "periodic_wrap", "walls"),
                          [](const auto& set) { return std::string(set.param); });
 
+// One pass finds the weights of stages beside gradients, also where a reader asks for these first.
+TEST(Observing, LeavesNoTraceInStabilisedSteps) {
+  for (const std::string boundary : {"periodic_ghosts", "walls"})
+    expect_no_trace(active_scene("double", boundary, "stabilised"), 25);
+}
+
 CaseText mesh_scene(const std::string& boundary, const std::string& precision) {
   return active_scene(precision, boundary)
       .section("physics.flow", "type = \"incompressible\"\ndensity = 1.0\nviscosity = 0.05");

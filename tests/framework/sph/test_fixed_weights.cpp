@@ -79,36 +79,51 @@ TEST_P(FixedWeights, GiveTheDerivativesOfThePairSums) {
   EXPECT_EQ(weighted.weights_found(), 2);
 }
 
-// The first pass over pairs of a step with stages finds their weights, too.
+// One pass over pairs before the stages finds their weights beside gradients: those of a vector, or of four numbers.
 TEST_P(FixedWeights, AreFoundBesideGradients) {
-  auto of_scene = options();
-  const auto points = jittered(across, across, 1.0 / across, 0.2);
-  ParticleScene computed(of_scene, points);
-  of_scene.stages = true;
-  ParticleScene beside(of_scene, points);
-  ParticleScene alone(of_scene, points);
-  for (ParticleScene* scene : {&computed, &beside, &alone}) scene->set(wave);
-  const auto expected = computed.derived("f_laplacian");
-  EXPECT_LT(difference(beside.laplacian_by_stages("f_gradient"), expected), rounding());
-  EXPECT_LT(difference(alone.laplacian_by_stages(), expected), rounding());
-  EXPECT_EQ(beside.weights_found(), 0);  // in no pass of their own
-  EXPECT_EQ(alone.weights_found(), 1);
-  for (const int axis : {0, 1}) EXPECT_LT(difference(computed, beside, "f_gradient", axis), rounding());
-  EXPECT_LT(difference(computed, beside, "correction", 3), rounding());
+  for (const Rank rank : {Rank::scalar, Rank::vector, Rank::matrix}) {
+    auto of_scene = options();
+    of_scene.rank = rank;
+    const auto points = jittered(across, across, 1.0 / across, 0.2);
+    ParticleScene computed(of_scene, points);
+    of_scene.stages = true;
+    ParticleScene beside(of_scene, points);
+    ParticleScene alone(of_scene, points);
+    for (ParticleScene* scene : {&computed, &beside, &alone}) scene->set(wave);
+    const int last = computed.state().fields.at("f").components() - 1;
+    const auto expected = computed.derived("f_laplacian", last);
+    EXPECT_LT(difference(beside.laplacian_by_stages("f_gradient", last), expected), rounding());
+    EXPECT_LT(difference(alone.laplacian_by_stages("", last), expected), rounding());
+    EXPECT_EQ(beside.weights_found(), rank == Rank::scalar ? 1 : 0);  // in a pass of their own
+    EXPECT_EQ(alone.weights_found(), 1);
+    for (const int n : {0, 1, 2 * last, 2 * last + 1})
+      EXPECT_LT(difference(computed, beside, "f_gradient", n), rounding());
+    EXPECT_LT(difference(computed, beside, "correction", 3), rounding());
+  }
 }
 
-// What changes where particles stay takes the correction that is known.
-TEST_P(FixedWeights, GradientsOfAnotherFieldAtTheSamePlaces) {
-  auto of_scene = options();
-  of_scene.stages = true;
-  const auto points = jittered(across, across, 1.0 / across, 0.2);
-  ParticleScene fresh(of_scene, points);
-  ParticleScene again(of_scene, points);
-  again.set(wave);
-  const auto first = again.derived("f_gradient");
-  for (ParticleScene* scene : {&fresh, &again}) scene->set([](double x, double y) { return std::cos(4.0 * x) - y; });
-  for (const int axis : {0, 1}) EXPECT_LT(difference(fresh, again, "f_gradient", axis), rounding());
-  EXPECT_NE(again.derived("f_gradient"), first);
+// Where particles stay, gradients take the correction that is known: twice of it gives twice of them.
+TEST_P(FixedWeights, GradientsOfAnotherFieldTakeTheKnownCorrection) {
+  for (const Rank rank : {Rank::scalar, Rank::vector}) {
+    auto of_scene = options();
+    of_scene.stages = true;
+    of_scene.rank = rank;
+    const auto points = jittered(across, across, 1.0 / across, 0.2);
+    ParticleScene fresh(of_scene, points);
+    ParticleScene again(of_scene, points);
+    again.set(wave);
+    (void)again.derived("f_gradient");
+    Field& correction = again.state().fields.at("correction");
+    for (Index i = 0; i < again.state().particles.count(); ++i)
+      for (int c = 0; c < correction.components(); ++c) correction.set(c, i, 2.0 * correction.value(c, i));
+    for (ParticleScene* scene : {&fresh, &again}) scene->set([](double x, double y) { return std::cos(4.0 * x) - y; });
+    const int last = 2 * fresh.state().fields.at("f").components() - 1;
+    for (const int n : {0, 1, last}) {
+      auto expected = fresh.derived("f_gradient", n);
+      for (double& number : expected) number *= 2.0;
+      EXPECT_LT(difference(again.derived("f_gradient", n), expected), rounding());
+    }
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(All, FixedWeights,
