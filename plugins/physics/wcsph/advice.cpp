@@ -68,7 +68,7 @@ void advise_on_sound(const FlowChoice& flow, const AdviceContext& context, std::
          settings, formatted("%.2g times fewer steps", sound / automatic)});
 }
 
-// What a creeping flow compresses is an artificial density. Measured in a channel (docs/flows.md): between walls, then.
+// What a creeping flow compresses is an artificial density. Measured in channels (docs/flows.md), so for walls alone.
 void advise_on_variation(const FlowChoice& flow, const AdviceContext& context, std::vector<Suggestion>& list) {
   const Scene& scene = context.scene;
   const bool binds = context.binding == StepCause::sound && !context.step_is_given && scene.stabilised_steps;
@@ -77,13 +77,13 @@ void advise_on_variation(const FlowChoice& flow, const AdviceContext& context, s
   if (fewer < worthwhile) return;
   list.push_back(
       {"creeping_sound",
-       formatted("the speed of sound is chosen for a density that varies by %.2g, but that of a creeping "
-                 "flow is artificial, and limits the step",
+       formatted("the speed of sound is chosen for a density that varies by %.2g, but that of a creeping flow is "
+                 "artificial, and limits the step",
                  usual_variation),
        {formatted("%s.density_variation=%.2g", context.section.c_str(), creeping_variation)},
-       formatted("up to %.2g times fewer steps, with more stages each; the mean flow between walls is off by "
-                 "some 0.5 %% more of the root mean square velocity",
-                 fewer)});
+       formatted("up to %.2g times fewer steps, with more stages each; the velocity lags behind its forces by about a "
+                 "step, then %.2g %s",
+                 fewer, fewer * flow.sound_step, context.unit("s").c_str())});
 }
 
 void advise_on_spacing(const AdviceContext& context, std::vector<Suggestion>& list) {

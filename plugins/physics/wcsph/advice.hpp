@@ -19,6 +19,7 @@ struct FlowChoice {
   /// c0 for creeping_variation, m/s, where the flow is creeping and c0 follows from the usual density_variation;
   /// otherwise 0
   double slower_sound_speed;
+  double sound_step;   ///< that sound allows, s
   double step;         ///< that sound and viscosity allow, s
   bool only_defaults;  ///< the case gives no key of this plugin's own
 };

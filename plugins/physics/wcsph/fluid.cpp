@@ -79,7 +79,7 @@ void Fluid::declare(const Scene& scene, PassList& list, bool radial, bool plain)
   const bool usual_creeping = plain && !inertia_ && !sound_speed_;
   list.advice([this, plain, usual_creeping](const AdviceContext& context, std::vector<Suggestion>& suggestions) {
     advise({sound_.speed(), automatic_sound_speed_, physical_density_, artificial_density(context.scene), inertia_,
-            usual_creeping ? automatic_speed(context.scene, creeping_variation) : 0.0,
+            usual_creeping ? automatic_speed(context.scene, creeping_variation) : 0.0, sound_step(context.scene),
             std::min(sound_step(context.scene), viscous_step(context.scene)), plain},
            context, suggestions);
   });

@@ -154,13 +154,20 @@ TEST(Advice, ACreepingFlowTakesFewerStepsWithASlowerSound) {
   EXPECT_EQ(found->settings, std::vector<std::string>{"physics.flow.density_variation=0.05"});
   EXPECT_EQ(
       found->gain,
-      "up to 5 times fewer steps, with more stages each; the mean flow between walls is off by some 0.5 % more of "
-      "the root mean square velocity");
+      "up to 5 times fewer steps, with more stages each; the velocity lags behind its forces by about a step, then "
+      "0.02 s");
   CaseRun before(text);
   CaseRun after(text, found->settings);
-  for (CaseRun* run : {&before, &after}) run->run_to(1.0);
-  EXPECT_NEAR(static_cast<double>(before.state().step) / static_cast<double>(after.state().step), 5.0, 0.1);
-  EXPECT_LT(distance_from_stokes(after, 10), distance_from_stokes(before, 10) + 0.005);
+  const auto speed = [&before](double time) {
+    before.run_to(time);
+    return before.observe("flow_statistics", "v_rms");
+  };
+  const double earlier = speed(0.98);
+  const double change_in_a_step = std::abs(earlier / speed(1.0) - 1.0);
+  after.run_to(1.0);
+  EXPECT_GT(static_cast<double>(before.state().step) / static_cast<double>(after.state().step), 4.5);
+  EXPECT_GT(change_in_a_step, 0.02);
+  EXPECT_LT(distance_from_stokes(after, 10), distance_from_stokes(before, 10) + 1.2 * change_in_a_step);
   expect_settled(text, *found);
 }
 
@@ -174,8 +181,6 @@ TEST(Advice, TheSoundOfACreepingFlowIsLeftWhereNothingIsGained) {
   EXPECT_FALSE(advised_with("inertia = false", "end = 1.0\nstep = 0.001"));
   EXPECT_FALSE(advised_with("inertia = false\nsound_speed = 0.0006"));
   EXPECT_FALSE(advised_with("inertia = false\ndensity_variation = 0.02"));
-  // Speed decides, not stress.
-  EXPECT_FALSE(advised_with("inertia = false\nexpected_speed = 0.01"));
   EXPECT_FALSE(advised(creeping_film(0.8e-6, "inertia = false").boundary("periodic_ghosts"), "creeping_sound"));
 }
 
