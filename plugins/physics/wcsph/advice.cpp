@@ -24,6 +24,12 @@ constexpr double good_spacings = 7.0;  // in an active length: 1.8 % off
 // Where it takes more than these, a smaller spacing is no help.
 constexpr double most_particles = 2e7;
 
+/// "140", where two digits of %g would be "1.4e+02".
+std::string two_digits(double number) {
+  const double unit = std::pow(10.0, std::floor(std::log10(number)) - 1.0);
+  return formatted("%.12g", std::round(number / unit) * unit);
+}
+
 // By the fluid's mass, which a creeping flow does not feel, viscosity binds explicit steps, and asks for stages of
 // stabilised ones: for as many as the square root of what it would bind them by.
 void advise_on_inertia(const FlowChoice& flow, const AdviceContext& context, std::vector<Suggestion>& list) {
@@ -33,15 +39,15 @@ void advise_on_inertia(const FlowChoice& flow, const AdviceContext& context, std
   if (!(reynolds > 0.0) || reynolds >= creeping) return;
   const double ratio = flow.creeping_density / flow.density;
   const bool staged = context.scene.stabilised_steps;
-  const std::string fewer = staged ? formatted("%.2g times fewer stages in a step", std::sqrt(ratio))
+  const std::string fewer = staged ? two_digits(std::sqrt(ratio)) + " times fewer stages in a step"
                                    : std::string("as many times fewer steps");
   list.push_back(
       {"no_inertia",
        formatted("the Reynolds number of the box is %.2g: the fluid's mass has no effect on this flow, but %s",
                  reynolds, staged ? "asks for many stages in a step" : "limits the step"),
        {context.section + ".inertia=false"},
-       formatted("an artificial density that is %.2g times the fluid's, and %s; growth rates are up to 5 %% too low",
-                 ratio, fewer.c_str())});
+       formatted("an artificial density that is %s times the fluid's, and %s; growth rates are up to 5 %% too low",
+                 two_digits(ratio).c_str(), fewer.c_str())});
 }
 
 // Density varies as the square of speed over sound speed.
