@@ -193,7 +193,6 @@ void DerivedFields::run_pair_sums(PairPass& pass) {
   }
   wanted.consistent = form_.consistent_laplacian;
   if (pass.correction != nullptr && new_positions) wanted.correction = write(*pass.correction);
-  // Two at most, as many as a vector has.
   const bool gradients_alone = !pass.by_weights && !wants_laplacian(pass);
   if (gradients_alone && !new_positions && pass.correction != nullptr && wanted.count <= 2)
     return loops.gradients(neighbours, state_.kernel, wanted, std::as_const(*pass.correction).view<Real>(device));
