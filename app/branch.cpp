@@ -1,4 +1,3 @@
-#include <iostream>
 #include <memory>
 
 #include "diagnostics/resources.hpp"
@@ -28,8 +27,8 @@ ExitCode branch(const Options& options) {
   RunOptions run = run_options(options.running, options.output);
   run.overwrite = options.overwrite;
   run.inspect = [&](const Setup& setup) { refuse_beyond_memory(setup, program, with_settings(branched, registry)); };
-  Log log(options.running.quiet);
-  Progress progress(std::cerr, Progress::style_for(2, options.running.quiet));
+  Log log = log_of(options.running, *run.ranks);
+  Progress progress = progress_of(options.running, *run.ranks);
   return branch_run(registry, {options.folder, options.at}, options.changes, run, log, progress);
 }
 

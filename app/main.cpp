@@ -1,28 +1,46 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <csignal>
 #include <exception>
 #include <new>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "command_line/parse.hpp"
 #include "diagnostics/version.hpp"
 #include "plugin/crash.hpp"
+#include "ranks/mpi_library.hpp"
 #include "verbs.hpp"
 
 namespace {
 
 using mesogen::ExitCode;
 
+/// The ranks that run with this one; where there should be others and MPI is not there, itself.
+const mesogen::Ranks& ranks_now() {
+  try {
+    return mesogen::ranks_of_process();
+  } catch (const mesogen::Error&) {
+    return mesogen::Ranks::alone();
+  }
+}
+
+// Of several ranks mostly all meet the same error: the first one tells it, and ends them. Where another one is alone
+// with its error, it is still there some seconds later.
 int tell(ExitCode code, const std::string& text) {
+  const mesogen::Ranks& ranks = ranks_now();
+  if (!ranks.is_first()) std::this_thread::sleep_for(std::chrono::seconds(5));
+  const std::string who = ranks.is_first() ? "" : fmt::format("rank {}: ", ranks.rank());
   // Several errors of a case: one a line, beginning with file:line:column as editors like it. Lines that belong to the
   // one before are indented.
   bool several = false;
   for (std::size_t at = 0; (at = text.find('\n', at)) != std::string::npos; ++at)
     several = several || (at + 1 < text.size() && text[at + 1] != ' ');
-  fmt::print(stderr, "{}{}{}", several ? "errors:\n" : "error: ", text, text.ends_with('\n') ? "" : "\n");
+  fmt::print(stderr, "{}{}{}{}", several ? "errors:\n" : "error: ", who, text, text.ends_with('\n') ? "" : "\n");
+  if (ranks.several()) ranks.abort(static_cast<int>(code));
   return static_cast<int>(code);
 }
 

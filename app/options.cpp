@@ -3,8 +3,11 @@
 #include <fmt/format.h>
 #include <omp.h>
 
+#include <iostream>
+
 #include "interrupt.hpp"
 #include "plugin/crash.hpp"
+#include "ranks/mpi_library.hpp"
 
 namespace mesogen::app {
 
@@ -64,7 +67,16 @@ RunOptions run_options(const RunningOptions& options, const std::filesystem::pat
   run.profile = options.profile;
   run.trace = options.trace;
   run.stop = &stop_on_signal();
+  run.ranks = &ranks_of_process();
   return run;
+}
+
+Log log_of(const RunningOptions& options, const Ranks& ranks) {
+  return ranks.is_first() ? Log(options.quiet) : Log::silent();
+}
+
+Progress progress_of(const RunningOptions& options, const Ranks& ranks) {
+  return {std::cerr, Progress::style_for(2, options.quiet || !ranks.is_first())};
 }
 
 void use_threads(const RunningOptions& options) {

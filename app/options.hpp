@@ -48,6 +48,9 @@ void add_threads(Verb& verb, int& threads);
 void add_quiet(Verb& verb, bool& quiet);
 /// Of a run in this folder, new or resumed; a signal stops it.
 RunOptions run_options(const RunningOptions& options, const std::filesystem::path& folder);
+/// What such a run tells on stderr: the first rank alone speaks.
+Log log_of(const RunningOptions& options, const Ranks& ranks);
+Progress progress_of(const RunningOptions& options, const Ranks& ranks);
 void use_threads(const RunningOptions& options);
 
 }  // namespace mesogen::app

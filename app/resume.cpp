@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <iostream>
 #include <memory>
 
 #include "diagnostics/resources.hpp"
@@ -28,8 +27,8 @@ ExitCode resume(const Options& options) {
   RunOptions run = run_options(options.running, options.folder);
   // It began elsewhere, perhaps, where there was more memory.
   run.inspect = [&](const Setup& setup) { refuse_beyond_memory(setup, program, with_settings(stored, registry)); };
-  Log log(options.running.quiet);
-  Progress progress(std::cerr, Progress::style_for(2, options.running.quiet));
+  Log log = log_of(options.running, *run.ranks);
+  Progress progress = progress_of(options.running, *run.ranks);
   return resume_run(registry, run, options.changes, log, progress);
 }
 

@@ -1,6 +1,5 @@
 #include "run/run.hpp"
 
-#include <iostream>
 #include <memory>
 
 #include "diagnostics/resources.hpp"
@@ -46,12 +45,12 @@ ExitCode run(const Options& options) {
   RunOptions run = run_options(options.running, folder.empty() ? default_folder(options.source.file) : folder);
   keep_case(run.folder, options.source.file);
   run.overwrite = options.overwrite;
-  Log log(options.running.quiet);
+  Log log = log_of(options.running, *run.ranks);
   run.inspect = [&](const Setup& setup) {
     refuse_beyond_memory(setup, program, set_up_with);
     warn_of_limits(setup, run.folder, log);
   };
-  Progress progress(std::cerr, Progress::style_for(2, options.running.quiet));
+  Progress progress = progress_of(options.running, *run.ranks);
   return run_case(std::move(source), registry, run, log, progress);
 }
 

@@ -31,6 +31,7 @@ class BackendImpl : public Backend {
   [[nodiscard]] Space space() const override { return space_; }
   void wait() const override { reductions_.wait(space_); }
   [[nodiscard]] double found(Reduction reduction) const override { return reductions_.found(reduction); }
+  [[nodiscard]] std::span<double> all_found() const override { return reductions_.all(); }
   [[nodiscard]] const StorageLoops& storage() const override { return storage_; }
   [[nodiscard]] const GhostLoops& ghosts() const override { return ghosts_; }
 

@@ -47,6 +47,12 @@ Log::Log(bool quiet) : sinks_(std::make_unique<Sinks>(Sinks{spdlog::logger("meso
   sinks_->logger.flush_on(spdlog::level::info);
 }
 
+Log::Log(std::unique_ptr<Sinks> sinks) : sinks_(std::move(sinks)) {}
+
+Log::Log(Log&&) noexcept = default;
+
+Log Log::silent() { return Log(std::make_unique<Sinks>(Sinks{spdlog::logger("mesogen")})); }
+
 Log::~Log() = default;
 
 void Log::open_file(const std::filesystem::path& file) {

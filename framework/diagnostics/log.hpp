@@ -13,7 +13,10 @@ class MESOGEN_EXPORT Log {
  public:
   /// Quiet: only warnings and errors go to stderr; the file gets everything.
   explicit Log(bool quiet = false);
+  /// Tells nobody anything: of a rank whose words the first one says.
+  static Log silent();
   ~Log();
+  Log(Log&&) noexcept;
   Log(const Log&) = delete;
   Log& operator=(const Log&) = delete;
 
@@ -25,6 +28,7 @@ class MESOGEN_EXPORT Log {
 
  private:
   struct Sinks;
+  explicit Log(std::unique_ptr<Sinks> sinks);
   std::unique_ptr<Sinks> sinks_;
 };
 

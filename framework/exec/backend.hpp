@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <string>
 #include <type_traits>
 
@@ -60,6 +61,8 @@ class MESOGEN_EXPORT Backend {
   /// The same, and brings the results of reductions.
   virtual void wait() const = 0;
   [[nodiscard]] virtual double found(exec::Reduction reduction) const = 0;
+  /// The results of all reductions that it has room for, where ranks put what all of them found.
+  [[nodiscard]] virtual std::span<double> all_found() const = 0;
 
   [[nodiscard]] virtual const exec::StorageLoops& storage() const = 0;
   [[nodiscard]] virtual const exec::CellLoops& cells() const = 0;

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <span>
 #include <stdexcept>
 
 #include "exec/backend.hpp"
@@ -63,6 +64,7 @@ class Reductions {
     return std::isnan(largest) ? HUGE_VAL : largest;
   }
 
+  [[nodiscard]] std::span<double> all() { return {pinned_, size}; }
   [[nodiscard]] double* device(Reduction reduction) const { return device_ + reduction.place; }
   [[nodiscard]] double* pinned(Reduction reduction) const { return pinned_ + reduction.place; }
 

@@ -11,16 +11,18 @@ namespace mesogen {
 
 // Where particles moved, other ones stand before the wall; a ghost's values are its source's wherever that is.
 std::uint64_t BoundaryValues::positions() const {
-  return neighbourhood_.walls().count() > 0 ? neighbourhood_.version() : 0;
+  return neighbourhood_.walls().anywhere() ? neighbourhood_.version() : 0;
 }
 
 bool BoundaryValues::up_to_date(const Field& field) const {
-  if (neighbourhood_.boundary_count() == 0) return true;
+  if (neighbourhood_.boundary_count() == 0 && !ranks_.several()) return true;
   return field.refreshed == field.version && field.refreshed_at == positions();
 }
 
 void BoundaryValues::refresh(Field& field) {
   if (up_to_date(field)) return;
+  if (walls_version_ != neighbourhood_.walls_version()) rules_.clear();
+  walls_version_ = neighbourhood_.walls_version();
   const Span span(refreshing_, clock_.trace);
   dispatch(scene_.precision, [&]<class Real>() { refresh_ghosts<Real>(field); });
   if (neighbourhood_.walls().count() > 0) {
@@ -45,6 +47,7 @@ BoundaryValues::Rules BoundaryValues::ask(const FieldKind& field, bool differenc
   ghosts.reserve(static_cast<std::size_t>(images.count));
   for (int image = 0; image < images.count; ++image)
     ghosts.push_back(asked(boundary_.ghost_rule(scene_, field, boxes_of(images, image))));
+  if (ranks_.several()) ghosts.emplace_back(field);  // of those of other ranks where they are
   std::vector<AffineRule> walls;
   std::vector<std::uint8_t> curved;
   std::vector<double> at_wall;
@@ -69,10 +72,12 @@ BoundaryValues::Rules BoundaryValues::ask(const FieldKind& field, bool differenc
 
 template <class Real>
 void BoundaryValues::refresh_ghosts(Field& field) {
-  if (neighbourhood_.ghosts().count() == 0) return;
   constexpr auto device = exec::Side::device;
-  clock_.backend.ghosts().refresh(neighbourhood_.ghost_view(device), rules_of(field).ghosts.view(device),
-                                  field.view<Real>(device, exec::Access::read_write), field.components());
+  const GhostView ghosts = neighbourhood_.ghost_view(device);
+  const FieldView<Real> values = field.view<Real>(device, exec::Access::read_write);
+  if (ranks_.several()) neighbourhood_.halo().bring(values, field.components(), ghosts.first + ghosts.count);
+  if (ghosts.count == 0) return;
+  clock_.backend.ghosts().refresh(ghosts, rules_of(field).ghosts.view(device), values, field.components());
 }
 
 template <class Real, int Dim>

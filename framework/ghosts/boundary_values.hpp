@@ -21,13 +21,14 @@ namespace mesogen {
 class MESOGEN_EXPORT BoundaryValues {
  public:
   /// All of these must outlive it.
-  BoundaryValues(const Scene& scene, const Boundary& boundary, const Neighbourhood& neighbourhood,
-                 const sph::SmoothingKernel& kernel, const WorkClock& clock)
+  BoundaryValues(const Scene& scene, const Boundary& boundary, Neighbourhood& neighbourhood,
+                 const sph::SmoothingKernel& kernel, const WorkClock& clock, const Ranks& ranks)
       : scene_(scene),
         boundary_(boundary),
         neighbourhood_(neighbourhood),
         kernel_(kernel),
         clock_(clock),
+        ranks_(ranks),
         linear_(clock.backend.memory()),
         curved_(clock.backend.memory()) {}
 
@@ -60,9 +61,11 @@ class MESOGEN_EXPORT BoundaryValues {
 
   const Scene& scene_;
   const Boundary& boundary_;
-  const Neighbourhood& neighbourhood_;
+  Neighbourhood& neighbourhood_;
   const sph::SmoothingKernel& kernel_;
   const WorkClock& clock_;
+  const Ranks& ranks_;
+  std::uint64_t walls_version_ = 0;
   std::map<std::string, Rules, std::less<>> rules_;  // by field
   /// See sph/mirror_values.hpp.
   struct Weights {

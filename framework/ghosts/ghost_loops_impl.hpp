@@ -30,11 +30,11 @@ struct ListGhosts {
     if (search.in_middle(i)) return;
     double offset[3] = {};
     Index n = begin[i];
-    for (int image = 0; image < search.images.count; ++image) {
+    for (int image = 0; image < search.images_of(i); ++image) {
       if (!search.sees(image, i, offset)) continue;
       CellGrid::Cell cell{};
       for_axes(search.dimension, [&](int d) {
-        cell[d] = grid.beside(d, search.position[d][i] + offset[d], search.images.boxes[image][d]);
+        cell[d] = grid.beside(d, search.position(d, i) + offset[d], search.boxes(image, d));
         to.offset[d][n] = offset[d];
       });
       to.source[n] = i;
@@ -95,7 +95,8 @@ struct CopyToGhosts {
   GhostView ghosts;
 
   MESOGEN_HOST_DEVICE void operator()(Index n) const {
-    for (int c = 0; c < components; ++c) field(c, ghosts.first + n) = field(c, ghosts.source[n]);
+    const Index from = ghosts.place_of_source(n);
+    for (int c = 0; c < components; ++c) field(c, ghosts.first + n) = field(c, from);
   }
 };
 
@@ -107,7 +108,7 @@ struct RefreshGhosts {
   RuleView rules;
 
   MESOGEN_HOST_DEVICE void operator()(Index n) const {
-    const Index from = ghosts.source[n];
+    const Index from = ghosts.place_of_source(n);
     const Index to = ghosts.first + n;
     double value[Components];
     unroll<Components>([&](auto c) { value[c] = static_cast<double>(field(c, from)); });

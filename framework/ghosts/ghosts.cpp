@@ -21,8 +21,9 @@ exec::GhostArrays Ghosts::Arrays::pointers(exec::Access access) {
           {offset[0].device(access), offset[1].device(access), offset[2].device(access)}};
 }
 
-Ghosts::Ghosts(const Images& images, const Backend& backend)
+Ghosts::Ghosts(const Images& images, bool several, const Backend& backend)
     : images_(images),
+      possible_(images.count > 0 || several),
       backend_(backend),
       listed_(backend.memory()),
       ordered_(backend.memory()),
@@ -31,20 +32,19 @@ Ghosts::Ghosts(const Images& images, const Backend& backend)
       number_(backend.memory()),
       order_(backend.memory()) {}
 
-void Ghosts::build(const Scene& scene, const CellGrid& grid, const exec::AxisArrays<double>& position, double reach) {
-  if (images_.count == 0) return;
+void Ghosts::build(const CellGrid& grid, const ImageSearch& search, Index own, Index others) {
+  own_ = own;
+  if (!possible_) return;
   using exec::Access;
-  const auto at = exec::pointers(position, exec::Side::device);
-  const ImageSearch search = image_search(scene, images_, at.data(), reach);
   const exec::GhostLoops& loops = backend_.ghosts();
-  const auto particles = static_cast<Index>(position[0].size());
-  begin_.resize_for_overwrite(position[0].size() + 1);
+  const Index particles = own + others;
+  begin_.resize_for_overwrite(static_cast<std::size_t>(particles) + 1);
   loops.count(search, particles, begin_.device(Access::write));
   const Index count = backend_.cells().running_sums(begin_.device(Access::read_write), particles);
   const auto room = static_cast<std::size_t>(count);
-  listed_.resize(room, scene.dimension);
-  ordered_.resize(room, scene.dimension);
-  for (int d = 0; d < scene.dimension; ++d) origin_[d].resize_for_overwrite(room);
+  listed_.resize(room, grid.dimension());
+  ordered_.resize(room, grid.dimension());
+  for (int d = 0; d < grid.dimension(); ++d) origin_[d].resize_for_overwrite(room);
   number_.resize_for_overwrite(room);
   order_.resize_for_overwrite(room);
   loops.list(search, grid, particles, begin_.device(), listed_.pointers(Access::write), number_.device(Access::write));
@@ -57,7 +57,7 @@ void Ghosts::build(const Scene& scene, const CellGrid& grid, const exec::AxisArr
 }
 
 GhostView Ghosts::view(Index first, exec::Side side) const {
-  GhostView view{first, count(), ordered_.source.on(side), ordered_.image.on(side), {}, {}};
+  GhostView view{first, count(), own_, ordered_.source.on(side), ordered_.image.on(side), {}, {}, {}};
   for (int d = 0; d < 3; ++d) {
     view.offset[d] = ordered_.offset[d].on(side);
     view.origin[d] = origin_[d].on(side);

@@ -12,20 +12,23 @@
 
 namespace mesogen {
 
-/// Ghosts of particles beyond the faces: source and offset of each, by cell in storage. The owner of every source is
-/// this process; with others, a ghost's values would come as a message.
+/// Ghosts of particles beyond the faces, and of those that other ranks have: source and offset of each, by cell in
+/// storage.
 class MESOGEN_EXPORT Ghosts {
  public:
-  Ghosts(const Images& images, const Backend& backend);
+  /// `several`: there are other ranks.
+  Ghosts(const Images& images, bool several, const Backend& backend);
 
-  /// Makes the ghosts of particles that are sorted and stand at `position`, as far as `reach` (m) beyond the faces.
-  void build(const Scene& scene, const CellGrid& grid, const exec::AxisArrays<double>& position, double reach);
+  /// Makes the ghosts of points: `own` particles that are sorted, and `others`.
+  void build(const CellGrid& grid, const ImageSearch& search, Index own, Index others);
 
   [[nodiscard]] Index count() const { return static_cast<Index>(ordered_.source.size()); }
+  /// Can there be any?
+  [[nodiscard]] bool possible() const { return possible_; }
   [[nodiscard]] const Images& images() const { return images_; }
   /// Padded index of each one's cell, in ascending order.
   [[nodiscard]] const exec::Array<Index>& cell() const { return ordered_.cell; }
-  /// `first`: the place of the first in storage.
+  /// `first`: the place of the first in storage. The caller adds where sources of other ranks are.
   [[nodiscard]] GhostView view(Index first, exec::Side side) const;
 
  private:
@@ -42,7 +45,9 @@ class MESOGEN_EXPORT Ghosts {
   };
 
   Images images_;
+  bool possible_;
   const Backend& backend_;
+  Index own_ = 0;
   Arrays listed_;
   Arrays ordered_;
   exec::AxisArrays<double> origin_;   // of the tiles of those in order

@@ -34,11 +34,15 @@ bool lies_beyond_a_face(const Images& images, int image) {
 
 }  // namespace
 
-ImageSearch image_search(const Scene& scene, const Images& images, const double* const* position, double reach) {
+ImageSearch image_search(const Scene& scene, const Images& images, const double* const* position, Index own,
+                         double reach) {
   bool middle_unseen = true;
   for (int image = 0; image < images.count; ++image) middle_unseen = middle_unseen && lies_beyond_a_face(images, image);
   return {images,
           {position[0], position[1], position[2]},
+          {},
+          own,
+          {},
           {scene.box[0], scene.box[1], scene.box[2]},
           scene.dimension,
           reach,
@@ -46,7 +50,7 @@ ImageSearch image_search(const Scene& scene, const Images& images, const double*
 }
 
 Index count_ghosts(const Scene& scene, const Images& images, const double* const* position, Index count, double reach) {
-  const ImageSearch search = image_search(scene, images, position, reach);
+  const ImageSearch search = image_search(scene, images, position, count, reach);
   Index number = 0;
 #pragma omp parallel for schedule(static) reduction(+ : number)
   for (Index i = 0; i < count; ++i) number += search.count(i);

@@ -1,5 +1,6 @@
 #include "ghosts/neighbourhood.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "mesogen/exec/dispatch.hpp"
@@ -21,12 +22,14 @@ using exec::Access;
 
 }  // namespace
 
-Neighbourhood::Neighbourhood(const Scene& scene, const Boundary& boundary, const Backend& backend)
+Neighbourhood::Neighbourhood(const Scene& scene, const Boundary& boundary, const Backend& backend, const Ranks& ranks)
     : scene_(scene),
       boundary_(boundary),
       backend_(backend),
+      ranks_(ranks),
       skin_(skin_in_spacings * scene.spacing),
       grid_(scene, boundary, scene.support + skin_),
+      parts_(grid_, ranks),
       sorted_position_(exec::axis_arrays<double>(backend.memory())),
       order_(backend.memory()),
       cell_of_(backend.memory()),
@@ -35,24 +38,68 @@ Neighbourhood::Neighbourhood(const Scene& scene, const Boundary& boundary, const
       blocks_wanted_(backend.has_host_code()),
       run_begin_(backend.memory()),
       run_(backend.memory()),
-      ghosts_(images_of(scene, boundary), backend),
-      walls_(scene, boundary, grid_, ghosts_.images(), scene.support + skin_, backend.memory()),
-      mirrors_(scene, boundary, grid_, walls_.members(), backend),
+      ghosts_(images_of(scene, boundary), ranks.several(), backend),
+      halo_(ranks, backend),
       local_single_(exec::axis_arrays<float>(backend.memory())),
       local_double_(exec::axis_arrays<double>(backend.memory())),
       scratch_(backend.memory()) {
   cell_begin_.resize(static_cast<std::size_t>(grid_.padded_count()));
   cell_end_.resize(static_cast<std::size_t>(grid_.padded_count()));
+  make_walls();
 }
 
-const exec::Array<Index>* Neighbourhood::update(Particles& particles, double farthest) {
-  if (update_without_sorting(particles, farthest)) return nullptr;
+// A rank finds the values of all walls that its particles see by itself. Their mirror points lie up to two ranges of
+// neighbours farther away, and each looks around itself.
+void Neighbourhood::make_walls() {
+  const int axis = parts_.axis();
+  const int reach = grid_.reach(axis);
+  const auto seen = [&](const CellGrid::Cell& cell) {
+    return parts_.sees(ranks_.rank(), reach, cell[static_cast<std::size_t>(axis)]);
+  };
+  walls_.emplace(scene_, boundary_, grid_, ghosts_.images(), scene_.support + skin_, backend_.memory(),
+                 ranks_.several() ? WallSet::Seen(seen) : WallSet::Seen());
+  mirrors_.emplace(scene_, boundary_, grid_, walls_->members(), backend_);
+  rows_seen_ = walls_->anywhere() ? 4 * reach : reach;
+  ++walls_version_;
+}
+
+GhostView Neighbourhood::ghost_view(exec::Side side) const {
+  GhostView view = ghosts_.view(own() + walls_->count(), side);
+  const auto of_others = exec::pointers(halo_.position(), side);
+  std::ranges::copy(of_others, view.of_others);
+  return view;
+}
+
+std::vector<int> Neighbourhood::owners(Particles& particles, bool may_balance) {
+  keep_inside(particles);
+  exec::Array<Index> cells(backend_.memory());
+  cells.resize_for_overwrite(particles.id.size());
+  backend_.cells().find_cells(grid_, exec::pointers(particles.position, device).data(), particles.count(),
+                              cells.device(Access::write));
+  const auto cell = cells.host();
+  if (may_balance) {
+    std::vector<std::int64_t> in_row(static_cast<std::size_t>(parts_.rows()), 0);
+    for (const Index number : cell) ++in_row[static_cast<std::size_t>(parts_.row_of(number))];
+    ranks_.add(in_row);
+    if (parts_.balance(in_row)) make_walls();
+  }
+  std::vector<int> owners(cell.size());
+  std::ranges::transform(cell, owners.begin(), [&](Index number) { return parts_.owner_of(parts_.row_of(number)); });
+  return owners;
+}
+
+void Neighbourhood::take_parts(std::span<const std::int64_t> begins) {
+  parts_.take(begins);
+  make_walls();
+}
+
+const exec::Array<Index>& Neighbourhood::sort(Particles& particles) {
   order(particles);
   find_neighbours();
-  return &order_;
+  return order_;
 }
 
-bool Neighbourhood::update_without_sorting(const Particles& particles, double farthest) {
+bool Neighbourhood::update(const Particles& particles, double farthest) {
   ++version_;
   if (cell_of_.empty() || !place(particles.position, farthest)) return false;
   if (!neighbours_found_) {
@@ -91,7 +138,7 @@ void Neighbourhood::find_neighbours() {
     if (!backend_.has_host_code()) find_runs<Real, Dim>();
     if (blocks_wanted_) blocks_.find(seen_from<Real, Dim>(exec::Side::host), neighbour_range());
     // A mirror point does not move.
-    if (walls_.count() > 0) mirrors_.find(seen_from<Real, Dim>(mirrors_.side()), scene_.support + 0.51 * skin_);
+    if (walls_->count() > 0) mirrors_->find(seen_from<Real, Dim>(mirrors_->side()), scene_.support + 0.51 * skin_);
   });
 }
 
@@ -192,13 +239,22 @@ void Neighbourhood::find_cells(const exec::AxisArrays<double>& position) {
 // Ghosts are found by cell as particles are; those of the walls have tables of their own. Cells beyond the faces keep
 // what they had where there are no ghosts: nothing.
 void Neighbourhood::build_ghosts() {
-  const auto count = static_cast<Index>(cell_of_.size());
-  ghosts_.build(scene_, grid_, sorted_position_, scene_.support + skin_);
+  const Index count = own();
+  const auto at = exec::pointers(sorted_position_, device);
+  ImageSearch search = image_search(scene_, ghosts_.images(), at.data(), count, scene_.support + skin_);
+  if (ranks_.several()) {
+    halo_.find(parts_, search, cell_of_, rows_seen_);
+    halo_.bring_positions(sorted_position_, scene_.dimension);
+    std::ranges::copy(exec::pointers(halo_.position(), device), search.of_others);
+    search.slab = parts_.slab(ranks_.rank(), rows_seen_);
+  }
+  ghosts_.build(grid_, search, count, halo_.count());
+  walls_->move_to(count);
   Index* const begin = cell_begin_.device(Access::read_write);
   Index* const end = cell_end_.device(Access::read_write);
-  if (ghosts_.images().count > 0)
-    backend_.ghosts().find_ranges(grid_, ghosts_.cell().device(), ghosts_.count(), count + walls_.count(), begin, end);
-  backend_.cells().find_ranges(grid_, cell_of_.device(), count, begin, end);
+  if (ghosts_.possible())
+    backend_.ghosts().find_ranges(grid_, ghosts_.cell().device(), ghosts_.count(), count + walls_->count(), begin, end);
+  backend_.cells().find_ranges(grid_, parts_.cells(ranks_.rank()), cell_of_.device(), count, begin, end);
   make_room();
 }
 
@@ -227,10 +283,11 @@ exec::PlaceArguments<Real> Neighbourhood::placing(const double* const* position,
     arguments.sorted[d] = sorted_position_[d].device();
     arguments.local[d] = local<Real>()[d].device(Access::read_write);  // but for those behind the last
   }
-  arguments.count = static_cast<Index>(cell_of_.size());
+  arguments.count = own();
   arguments.cell = cell_of_.device();
   arguments.cell_begin = cell_begin_.device();
   arguments.cell_end = cell_end_.device();
+  arguments.cells = parts_.cells(ranks_.rank());
   arguments.looks = looks;
   arguments.farthest_square = skin_ * skin_ / 4.0;
   arguments.walls = wall_view(device);
@@ -240,15 +297,18 @@ exec::PlaceArguments<Real> Neighbourhood::placing(const double* const* position,
 
 // False if a particle has left the skin, which is looked for where it may have.
 bool Neighbourhood::place(const exec::AxisArrays<double>& position, double farthest) {
+  if (ranks_.several()) halo_.bring_positions(position, scene_.dimension);
   const auto at = exec::pointers(position, device);
-  return dispatch(scene_.precision, [&]<class Real>() {
-    return backend_.cells().place(grid_, placing<Real>(at.data(), must_look(farthest)));
-  });
+  const bool looks = must_look(farthest);
+  const bool placed = dispatch(
+      scene_.precision, [&]<class Real>() { return backend_.cells().place(grid_, placing<Real>(at.data(), looks)); });
+  return looks ? !any(ranks_, !placed) : placed;
 }
 
 template <class Real, template <class> class Arguments>
 bool Neighbourhood::move(const Arguments<Real>& arguments, double farthest) {
-  if (backend_.has_host_code() || !neighbours_found_ || !sorted() || must_look(farthest)) return false;
+  if (backend_.has_host_code() || ranks_.several() || !neighbours_found_ || !sorted() || must_look(farthest))
+    return false;
   ++version_;
   backend_.cells().move_and_place(grid_, arguments, placing<Real>(arguments.position, false));
   return true;

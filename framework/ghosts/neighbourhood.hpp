@@ -3,11 +3,15 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <optional>
+#include <span>
 #include <vector>
 
 #include "exec/backend.hpp"
 #include "ghosts/ghosts.hpp"
+#include "ghosts/halo.hpp"
 #include "ghosts/mirrors.hpp"
+#include "ghosts/parts.hpp"
 #include "ghosts/wall_set.hpp"
 #include "mesogen/exec/array.hpp"
 #include "mesogen/export.hpp"
@@ -26,19 +30,25 @@ namespace mesogen {
 /// Cells reach a little farther than the support (the skin), so the sorting and the ghosts stay valid until some
 /// particle has moved by half of it: hundreds of steps in a slow flow. All that follows from `sorted_position()`, the
 /// coordinates at the last sorting; a checkpoint keeps them, so that a resumed run sums in the same order.
+///
+/// Where ranks share a run, each has the cell grid of the whole box, its own particles, and as ghosts those of others
+/// that it sees.
 class MESOGEN_EXPORT Neighbourhood {
  public:
-  Neighbourhood(const Scene& scene, const Boundary& boundary, const Backend& backend = Backend::host());
+  Neighbourhood(const Scene& scene, const Boundary& boundary, const Backend& backend = Backend::host(),
+                const Ranks& ranks = Ranks::alone());
 
   static constexpr double skin_in_spacings = 0.1;
 
-  /// Particles moved, none of them farther than `farthest` (m) from where it was sorted. Returns the new order of
-  /// storage if they had to be sorted anew (place n takes what stood at order[n]; particles themselves are already
-  /// permuted), nullptr if not.
-  const exec::Array<Index>* update(Particles& particles, double farthest = std::numeric_limits<double>::infinity());
-
-  /// The same, but keeps the order of storage; false, and neighbours out of date, if they must be sorted anew.
-  bool update_without_sorting(const Particles& particles, double farthest);
+  /// Particles moved, none of them farther than `farthest` (m) from where it was sorted. False, and neighbours out of
+  /// date, if they must be sorted anew: then they must be so on all ranks.
+  bool update(const Particles& particles, double farthest);
+  /// Where each particle belongs, once those that left the box are back inside: the number of its rank. With
+  /// `may_balance` the borders between ranks move, if some have too many.
+  std::vector<int> owners(Particles& particles, bool may_balance);
+  /// After an update() that was false: sorts particles, which must be this rank's, and finds their neighbours. Returns
+  /// the new order of storage: place n takes what stood at order[n]; the particles themselves are already permuted.
+  const exec::Array<Index>& sort(Particles& particles);
 
   /// Moves particles, by arguments of exec::FieldLoops::move, and brings neighbours up to date with that. False, with
   /// nothing done, where particles have to be looked at first, or where there is code of the host: that moves them
@@ -46,7 +56,7 @@ class MESOGEN_EXPORT Neighbourhood {
   template <class Real, template <class> class Arguments>
   bool move(const Arguments<Real>& arguments, double farthest);
 
-  /// Sorts particles, and finds no neighbours: the next update() does. Returns the new order of storage.
+  /// The same, but finds no neighbours: the next update() does.
   const exec::Array<Index>& reorder(Particles& particles);
 
   /// Does code of the host sum over pairs too, beside a backend without such code? It goes by blocks, which cost a
@@ -63,15 +73,19 @@ class MESOGEN_EXPORT Neighbourhood {
   void restore(const std::array<std::vector<double>, 3>& sorted_position);
   [[nodiscard]] const exec::AxisArrays<double>& sorted_position() const { return sorted_position_; }
 
-  [[nodiscard]] const WallSet& walls() const { return walls_; }
+  [[nodiscard]] const WallSet& walls() const { return *walls_; }
   [[nodiscard]] const Ghosts& ghosts() const { return ghosts_; }
-  [[nodiscard]] WallView wall_view(exec::Side side) const { return walls_.view(scene_.particle_count, side); }
-  [[nodiscard]] GhostView ghost_view(exec::Side side) const {
-    return ghosts_.view(scene_.particle_count + walls_.count(), side);
-  }
-  /// How many wall particles and ghosts are stored behind the particles.
-  [[nodiscard]] Index boundary_count() const { return walls_.count() + ghosts_.count(); }
-  [[nodiscard]] const Mirrors& mirrors() const { return mirrors_; }
+  [[nodiscard]] WallView wall_view(exec::Side side) const { return walls_->view(side); }
+  [[nodiscard]] GhostView ghost_view(exec::Side side) const;
+  /// How much is stored behind the particles: walls, ghosts, and what other ranks send.
+  [[nodiscard]] Index boundary_count() const { return walls_->count() + ghosts_.count() + halo_.count(); }
+  [[nodiscard]] const Mirrors& mirrors() const { return *mirrors_; }
+  /// Raised whenever there are other wall particles.
+  [[nodiscard]] std::uint64_t walls_version() const { return walls_version_; }
+  [[nodiscard]] Halo& halo() { return halo_; }
+  [[nodiscard]] const Parts& parts() const { return parts_; }
+  /// The borders between ranks that a checkpoint has.
+  void take_parts(std::span<const std::int64_t> begins);
   [[nodiscard]] const CellGrid& grid() const { return grid_; }
   /// How much farther than the support cells reach, m: between sortings a particle strays by at most half of it.
   [[nodiscard]] double skin() const { return skin_; }
@@ -87,6 +101,8 @@ class MESOGEN_EXPORT Neighbourhood {
   void fill(Neighbours<Real, Dim>& grid, exec::Side side) const;
 
  private:
+  [[nodiscard]] Index own() const { return static_cast<Index>(cell_of_.size()); }
+  void make_walls();
   void order(Particles& particles);
   void keep_inside(Particles& particles);
   void sort_particles(Particles& particles);
@@ -118,8 +134,10 @@ class MESOGEN_EXPORT Neighbourhood {
   const Scene& scene_;
   const Boundary& boundary_;
   const Backend& backend_;
+  const Ranks& ranks_;
   double skin_;
   CellGrid grid_;
+  Parts parts_;
 
   exec::AxisArrays<double> sorted_position_;
   exec::Array<Index> order_;
@@ -132,8 +150,11 @@ class MESOGEN_EXPORT Neighbourhood {
   exec::Array<NeighbourRun> run_;
   bool neighbours_found_ = false;
   Ghosts ghosts_;
-  WallSet walls_;
-  Mirrors mirrors_;
+  Halo halo_;
+  std::optional<WallSet> walls_;
+  std::optional<Mirrors> mirrors_;
+  std::uint64_t walls_version_ = 0;
+  int rows_seen_ = 0;  // beyond those of this rank
   exec::AxisArrays<float> local_single_;
   exec::AxisArrays<double> local_double_;
   /// Room for one array of each kind while particles change places.

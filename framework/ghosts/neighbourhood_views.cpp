@@ -25,8 +25,8 @@ void Neighbourhood::fill(Neighbours<Real, Dim>& grid, exec::Side side) const {
   }
   grid.cell_begin = cell_begin_.on(side);
   grid.cell_end = cell_end_.on(side);
-  grid.wall_begin = walls_.cell_begin(side);
-  grid.wall_end = walls_.cell_end(side);
+  grid.wall_begin = walls_->cell_begin(side);
+  grid.wall_end = walls_->cell_end(side);
   grid.cell_of = cell_of_.on(side);
   grid.block_begin = by_blocks ? blocks_.begin.data() : nullptr;
   grid.block = by_blocks ? blocks_.block.data() : nullptr;

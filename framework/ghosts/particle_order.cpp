@@ -20,18 +20,22 @@ void ParticleOrder::settle() {
   if (!moved_) return;
   moved_ = false;
   const Span span(sorting_, clock_.trace);
-  const exec::Array<Index>* order = neighbourhood_.update(particles_, farthest_);
-  if (order != nullptr) permute_fields(*order);
+  if (!neighbourhood_.update(particles_, farthest_)) {
+    travel();
+    permute_fields(neighbourhood_.sort(particles_));
+  }
   clock_.end_of_work();
 }
 
 void ParticleOrder::settle_for_reader() {
   if (!moved_) return;
   const Span span(sorting_, clock_.trace);
-  if (!neighbourhood_.update_without_sorting(particles_, farthest_)) {
+  if (!neighbourhood_.update(particles_, farthest_)) {
     if (!kept_ && neighbourhood_.sorted()) keep();
-    const exec::Array<Index>& order = *neighbourhood_.update(particles_, farthest_);
+    travel();
+    const exec::Array<Index>& order = neighbourhood_.sort(particles_);
     if (kept_) {
+      kept_->way_back.resize_for_overwrite(order.size());
       const auto from = order.host();
       const auto way_back = kept_->way_back.host(exec::Access::write);
       for (std::size_t n = 0; n < from.size(); ++n) way_back[static_cast<std::size_t>(from[n])] = static_cast<Index>(n);
@@ -43,8 +47,7 @@ void ParticleOrder::settle_for_reader() {
 }
 
 void ParticleOrder::keep() {
-  kept_.emplace(Kept{particles_, {}, exec::Array<Index>(clock_.backend.memory())});
-  kept_->way_back.resize_for_overwrite(particles_.id.size());
+  kept_.emplace(Kept{particles_, {}, exec::Array<Index>(clock_.backend.memory()), {}});
   for (int d = 0; d < particles_.dimension; ++d) {
     const auto sorted = neighbourhood_.sorted_position()[d].host();
     kept_->sorted_position[d].assign(sorted.begin(), sorted.end());
@@ -54,9 +57,11 @@ void ParticleOrder::keep() {
 void ParticleOrder::return_to_integration() {
   if (!kept_) return;
   const Span span(sorting_, clock_.trace);
+  permute(kept_->way_back);
+  if (kept_->journey) carry_fields(*kept_->journey, true);
   particles_ = kept_->particles;
   neighbourhood_.restore(kept_->sorted_position);
-  permute_fields(kept_->way_back);
+  changed_places();
   moved_ = true;
   farthest_ = nobody_knows;
   kept_.reset();
@@ -66,6 +71,7 @@ void ParticleOrder::return_to_integration() {
 void ParticleOrder::sort_for_memory() {
   return_to_integration();
   const Span span(sorting_, clock_.trace);
+  travel();
   permute_fields(neighbourhood_.reorder(particles_));
   moved_ = true;
   farthest_ = nobody_knows;
@@ -87,13 +93,41 @@ void ParticleOrder::restore(const std::array<std::vector<double>, 3>& sorted_pos
   for (const auto& [name, field] : fields_.all()) field->refreshed = 0;
 }
 
+// Brings particles to the ranks that they belong to. A reader's sorting moves no borders: it leaves no trace.
+void ParticleOrder::travel() {
+  if (!ranks_.several()) return;
+  Journey journey(ranks_, neighbourhood_.owners(particles_, !kept_));
+  if (!journey.anybody()) return;
+  const auto carried = [&](auto& array) { array.assign(journey.carry(array.host())); };
+  carried(particles_.id);
+  for (int d = 0; d < particles_.dimension; ++d) {
+    carried(particles_.position[d]);
+    carried(particles_.images[d]);
+  }
+  carry_fields(journey, false);
+  if (kept_) kept_->journey.emplace(std::move(journey));
+}
+
+void ParticleOrder::carry_fields(const Journey& journey, bool back) {
+  for (const auto& [name, field] : fields_.all())
+    if (!field->follows_positions) field->carry(journey, back);
+}
+
+void ParticleOrder::permute(const exec::Array<Index>& order) {
+  for (const auto& [name, field] : fields_.all())
+    if (!field->follows_positions) field->permute(order, scratch_);
+}
+
 void ParticleOrder::permute_fields(const exec::Array<Index>& order) {
+  changed_places();
+  permute(order);
+}
+
+// Values of ghosts and walls are lost.
+void ParticleOrder::changed_places() {
   ++version_;
   resize_fields();
-  for (const auto& [name, field] : fields_.all()) {
-    if (!field->follows_positions) field->permute(order, scratch_);
-    field->refreshed = 0;
-  }
+  for (const auto& [name, field] : fields_.all()) field->refreshed = 0;
 }
 
 void ParticleOrder::resize_fields() {

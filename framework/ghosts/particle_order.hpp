@@ -11,6 +11,7 @@
 #include "mesogen/export.hpp"
 #include "particles/field.hpp"
 #include "particles/particles.hpp"
+#include "ranks/journey.hpp"
 
 namespace mesogen {
 
@@ -21,11 +22,13 @@ namespace mesogen {
 class MESOGEN_EXPORT ParticleOrder {
  public:
   /// All of these must outlive it.
-  ParticleOrder(Particles& particles, Neighbourhood& neighbourhood, FieldStore& fields, const WorkClock& clock)
+  ParticleOrder(Particles& particles, Neighbourhood& neighbourhood, FieldStore& fields, const WorkClock& clock,
+                const Ranks& ranks)
       : particles_(particles),
         neighbourhood_(neighbourhood),
         fields_(fields),
         clock_(clock),
+        ranks_(ranks),
         scratch_(clock.backend.memory()) {}
 
   /// To be called whenever positions changed. `farthest`: no particle is now farther than this from where it was
@@ -70,18 +73,24 @@ class MESOGEN_EXPORT ParticleOrder {
  private:
   void resize_fields();
   void permute_fields(const exec::Array<Index>& order);
+  void permute(const exec::Array<Index>& order);
+  void changed_places();
+  void travel();
+  void carry_fields(const Journey& journey, bool back);
   void keep();
   /// The order of storage that the integration had before a reader's sorting.
   struct Kept {
     Particles particles;
     std::array<std::vector<double>, 3> sorted_position;
-    exec::Array<Index> way_back;  // a permutation
+    exec::Array<Index> way_back;     // a permutation
+    std::optional<Journey> journey;  // before it
   };
 
   Particles& particles_;
   Neighbourhood& neighbourhood_;
   FieldStore& fields_;
   const WorkClock& clock_;
+  const Ranks& ranks_;
   static constexpr double nobody_knows = std::numeric_limits<double>::infinity();
 
   bool moved_ = true;

@@ -12,6 +12,12 @@ namespace mesogen {
 
 class CellGrid;
 
+/// Cells of the box by their numbers: those that may hold particles of this process.
+struct CellSpan {
+  Index first;
+  Index end;
+};
+
 namespace exec {
 
 /// Coordinates relative to the tiles of the cell grid, of particles, walls and ghosts.
@@ -24,6 +30,7 @@ struct PlaceArguments {
   const Index* cell;  ///< of each particle
   const Index* cell_begin;
   const Index* cell_end;
+  CellSpan cells;          ///< that may hold particles
   bool looks;              ///< whether a particle has strayed
   double farthest_square;  ///< by which it may have, m2
   WallView walls;
@@ -42,8 +49,9 @@ class CellLoops {
   virtual void find_cells(const CellGrid& grid, const double* const* position, Index count, Index* cell) const = 0;
   /// Place n takes what stood at order[n]: by cell, by id within a cell.
   virtual void order(const Index* cell, const std::int64_t* id, Index count, int cells, Index* order) const = 0;
-  /// First and last particle (one past it) of each cell of the box, from particles stored by cell.
-  virtual void find_ranges(const CellGrid& grid, const Index* cell, Index count, Index* begin, Index* end) const = 0;
+  /// First and last particle (one past it) of each of these cells, from particles stored by cell.
+  virtual void find_ranges(const CellGrid& grid, CellSpan cells, const Index* cell, Index count, Index* begin,
+                           Index* end) const = 0;
   /// Particles outside the box: as many as it returns, in no order, at `found`, which has room for all.
   virtual Index find_outside(const double* const* position, const double* box, int dimension, Index count,
                              Index* found) const = 0;

@@ -26,17 +26,18 @@ struct FindCell {
 /// last ends the rest.
 struct FindRanges {
   CellGrid grid;
+  CellSpan cells;
   const Index* cell;
   Index count;
   Index* begin;
   Index* end;
 
   MESOGEN_HOST_DEVICE void operator()(Index i) const {
-    const int first = i == 0 ? 0 : cell[i - 1] + 1;
-    const int last = i == count ? grid.inside_count() : cell[i];
+    const int first = i == 0 ? cells.first : cell[i - 1] + 1;
+    const int last = i == count ? cells.end : cell[i];
     for (int c = first; c <= last; ++c) {
-      if (c > 0) end[grid.padded_index_of(c - 1)] = i;
-      if (c < grid.inside_count()) begin[grid.padded_index_of(c)] = i;
+      if (c > cells.first) end[grid.padded_index_of(c - 1)] = i;
+      if (c < cells.end) begin[grid.padded_index_of(c)] = i;
     }
   }
 };
@@ -51,7 +52,7 @@ struct PlaceParticles {
 #ifdef __CUDACC__
   [[nodiscard]] Index count() const { return p.count; }
 #else
-  [[nodiscard]] Index count() const { return grid.inside_count(); }
+  [[nodiscard]] Index count() const { return p.cells.end - p.cells.first; }
 #endif
   MESOGEN_HOST_DEVICE void operator()(Index n) const {
     Maxima<1> nobody_looks{};
@@ -67,7 +68,7 @@ struct PlaceParticles {
     const Index first = n;
     const Index end = n + 1;
 #else
-    const CellGrid::Cell cell = grid.inside(n);
+    const CellGrid::Cell cell = grid.inside(p.cells.first + n);
     const int index = grid.padded_index(cell);
     const Index first = p.cell_begin[index];
     const Index end = p.cell_end[index];
@@ -97,7 +98,7 @@ struct PlaceGhosts {
   MESOGEN_HOST_DEVICE void operator()(Index n) const {
     for (int d = 0; d < dimension; ++d)
       p.local[d][p.ghosts.first + n] =
-          Real(p.position[d][p.ghosts.source[n]] + p.ghosts.offset[d][n] - p.ghosts.origin[d][n]);
+          Real(p.ghosts.position_of_source(p.position[d], d, n) + p.ghosts.offset[d][n] - p.ghosts.origin[d][n]);
   }
 };
 
@@ -133,8 +134,9 @@ class CellLoopsImpl : public CellLoops {
   void find_cells(const CellGrid& grid, const double* const* position, Index count, Index* cell) const override {
     for_each(space_, count, FindCell{grid, {position[0], position[1], position[2]}, cell}, "finding cells");
   }
-  void find_ranges(const CellGrid& grid, const Index* cell, Index count, Index* begin, Index* end) const override {
-    for_each(space_, count + 1, FindRanges{grid, cell, count, begin, end}, "the particles of cells");
+  void find_ranges(const CellGrid& grid, CellSpan cells, const Index* cell, Index count, Index* begin,
+                   Index* end) const override {
+    for_each(space_, count + 1, FindRanges{grid, cells, cell, count, begin, end}, "the particles of cells");
   }
   bool place(const CellGrid& grid, const PlaceArguments<float>& arguments) const override {
     return place_particles(grid, arguments);

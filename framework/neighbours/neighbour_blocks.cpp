@@ -129,7 +129,8 @@ void NeighbourBlocks::find(const Neighbours<Real, Dim>& grid, double range) {
       int at[Dim];
       grid.cell_coordinates(cell, at);
       const int index = grid.cell_index(at);
-      if (grid.cell_begin[index] == grid.cell_end[index]) continue;
+      // Where ranks share a box, ghosts lie in cells too.
+      if (grid.cell_begin[index] == grid.cell_end[index] || grid.cell_begin[index] >= grid.particle_count) continue;
       Segment<Real, Dim> segment[Neighbours<Real, Dim>::most_segments];
       const int segments = grid.segments(at, segment);
       // Two runs share a block only if they have the same shift along x.

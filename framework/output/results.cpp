@@ -71,6 +71,8 @@ void make_frame_folder(const std::filesystem::path& folder) {
 
 ResultsWriter::ResultsWriter(Options options) : options_(std::move(options)) {}
 
+ResultsWriter ResultsWriter::silent() { return ResultsWriter(Options{}); }
+
 ResultsWriter ResultsWriter::create(Options options) { return resume(std::move(options), -1); }
 
 ResultsWriter ResultsWriter::resume(Options options, std::int64_t last_step, const EndRecords& forgotten) {
@@ -151,7 +153,7 @@ void ResultsWriter::check() {
 
 void ResultsWriter::flush() {
   wait();
-  if (changed_ && !finished_) write_views();
+  if (changed_ && !finished_ && writes()) write_views();
 }
 
 void ResultsWriter::write_views() {
@@ -161,7 +163,7 @@ void ResultsWriter::write_views() {
 
 void ResultsWriter::finish(std::optional<RunCost> cost) {
   wait();
-  if (finished_) return;
+  if (finished_ || !writes()) return;
   content_.cost = cost;
   output::pack(options_, content_);
   output::write_file(options_.folder / "results.xdmf", output::xdmf_text(options_, content_, output::Layout::packed));

@@ -37,6 +37,9 @@ class MESOGEN_EXPORT ResultsWriter {
   /// those at that step, and keeps the rest. With last_step < 0 nothing is kept, and results.h5 may be missing. Throws
   /// Error(bad_case) if the folder's results cannot be read or belong to a different run.
   static ResultsWriter resume(Options options, std::int64_t last_step, const EndRecords& forgotten = {});
+  /// Of a rank that writes nothing: it takes no samples and no frames, and all else does nothing.
+  static ResultsWriter silent();
+  [[nodiscard]] bool writes() const { return !options_.folder.empty(); }
   /// Are the results in a folder those of a run that has come to its end? False if they cannot be read.
   [[nodiscard]] static bool are_finished(const std::filesystem::path& folder);
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 #include <type_traits>
+#include <vector>
 
 #include "particles/field_loops.hpp"
 #include "particles/storage_loops.hpp"
@@ -108,6 +109,34 @@ void Field::permute(const exec::Array<Index>& order, Scratch& scratch) {
   };
   permuted(single_);
   permuted(double_);
+}
+
+void Field::carry(const Journey& journey, bool back) {
+  const auto old_count = static_cast<std::size_t>(particles_);
+  const std::ptrdiff_t old_stride = stride_;
+  const auto carried = [&]<class T>(const exec::Array<T>& values, const auto& put) {
+    if (values.empty()) return;
+    const T* const from = values.on(exec::Side::host);
+    std::vector<std::vector<T>> all;
+    for (int c = 0; c < components_; ++c) {
+      const std::span<const T> own(from + c * old_stride, old_count);
+      all.push_back(back ? journey.bring_back(own) : journey.carry(own));
+    }
+    put(all);
+  };
+  std::vector<std::vector<float>> single;
+  std::vector<std::vector<double>> exact;
+  carried(single_, [&](auto& all) { single = std::move(all); });
+  carried(double_, [&](auto& all) { exact = std::move(all); });
+  const std::size_t count = single.empty() ? exact.front().size() : single.front().size();
+  resize(static_cast<Index>(count), 0);
+  const auto put = [&]<class T>(const std::vector<std::vector<T>>& all, exec::Array<T>& values) {
+    if (all.empty()) return;
+    T* const to = values.on(exec::Side::host, exec::Access::read_write);
+    for (int c = 0; c < components_; ++c) std::ranges::copy(all[static_cast<std::size_t>(c)], to + c * stride_);
+  };
+  put(single, single_);
+  put(exact, double_);
 }
 
 Field& FieldStore::add(std::unique_ptr<Field> field) {

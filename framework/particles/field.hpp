@@ -13,6 +13,7 @@
 #include "mesogen/fields/field_kind.hpp"
 #include "mesogen/fields/field_reader.hpp"
 #include "mesogen/fields/field_view.hpp"
+#include "ranks/journey.hpp"
 
 namespace mesogen {
 
@@ -77,6 +78,10 @@ class MESOGEN_EXPORT Field {
   /// New place of every particle: place n takes what stood at order[n]. No particle gets another value, so the version
   /// stays. Values of ghosts and walls are lost.
   void permute(const exec::Array<Index>& order, Scratch& scratch);
+
+  /// Brings the values of particles to other ranks, and those of others here; or back, from after the journey to before
+  /// it.
+  void carry(const Journey& journey, bool back);
 
   /// Every write raises the version; ghosts are of version `refreshed`, and walls of the positions `refreshed_at`.
   std::uint64_t version = 1;

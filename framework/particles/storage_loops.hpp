@@ -29,6 +29,7 @@ class StorageLoops {
   virtual void gather(const std::int64_t* from, const Index* order, Index count, std::int64_t* to) const = 0;
   /// Writes the coordinates of the particles at these places.
   virtual void gather_unwrapped(const UnwrappedAlong& along, const Index* places, Index count, double* to) const = 0;
+  virtual void copy(const float* from, float* to, Index count) const = 0;
   virtual void copy(const double* from, double* to, Index count) const = 0;
 };
 

@@ -51,8 +51,11 @@ class StorageLoopsImpl final : public StorageLoops {
   void gather_unwrapped(const UnwrappedAlong& along, const Index* places, Index count, double* to) const override {
     for_each(space_, count, GatherUnwrapped{along, places, to}, "paths of particles");
   }
+  void copy(const float* from, float* to, Index count) const override {
+    for_each(space_, count, Copy<float>{from, to}, "copying values");
+  }
   void copy(const double* from, double* to, Index count) const override {
-    for_each(space_, count, Copy<double>{from, to}, "copying positions");
+    for_each(space_, count, Copy<double>{from, to}, "copying values");
   }
 
  private:

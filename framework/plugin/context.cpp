@@ -6,4 +6,6 @@ PassContext::~PassContext() = default;
 
 const mesh::DeviceMesh* PassContext::device_mesh() const { return nullptr; }
 
+const exec::Sharing* PassContext::sharing() const { return nullptr; }
+
 }  // namespace mesogen

@@ -42,7 +42,7 @@ std::optional<ClosestPair> closest_pair_of(const State& state, double within) {
     int at[Dim];
     grid.cell_coordinates(cell, at);
     const int index = grid.cell_index(at);
-    if (grid.cell_begin[index] == grid.cell_end[index]) return;
+    if (grid.cell_begin[index] == grid.cell_end[index] || grid.cell_begin[index] >= grid.particle_count) return;
     Segment<Real, Dim> segments[Neighbours<Real, Dim>::most_segments];
     const int count = grid.segments(at, segments);
     for (Index i = grid.cell_begin[index]; i < grid.cell_end[index]; ++i) action(i, segments, count);
@@ -66,7 +66,8 @@ std::optional<ClosestPair> closest_pair_of(const State& state, double within) {
       visit_around(grid, segments, count, i, [&](Index j, Real square) {
         if (!(square < least)) return;
         least = square;
-        pair = {i, j < ghosts.first ? j : ghosts.source[j - ghosts.first], std::sqrt(static_cast<double>(square))};
+        pair = {i, j < ghosts.first ? j : ghosts.place_of_source(j - ghosts.first),
+                std::sqrt(static_cast<double>(square))};
       });
     });
   // The compiler may round the two loops differently.

@@ -28,11 +28,11 @@ void put_in_order(const T* stored, const std::int64_t* id, std::size_t count, in
 
 }  // namespace
 
-FrameValues::FrameValues(const State& state, const Setup& setup)
-    : state_(state), setup_(setup), snapshot_(state.backend.memory()) {}
+FrameValues::FrameValues(const State& state, const WholeState& whole, const Setup& setup)
+    : state_(state), whole_(whole), setup_(setup), snapshot_(whole.backend().memory()) {}
 
 void FrameValues::take() {
-  const Particles& particles = state_.particles;
+  const Particles& particles = whole_.particles();
   count_ = particles.id.size();
   doubles_.clear();
   std::vector<exec::Snapshot::Source> sources;
@@ -45,7 +45,7 @@ void FrameValues::take() {
   for (std::size_t d = 0; d < dimension; ++d) add_array(particles.position[d]);
   for (std::size_t d = 0; d < dimension; ++d) add_array(particles.images[d]);
   for (const std::string& name : setup_.output_fields) {
-    const Field& field = state_.fields.at(name);
+    const Field& field = whole_.fields().at(name);
     const exec::Side side = side_of(field);
     doubles_.push_back(field.reads_doubles());
     for (int c = 0; c < field.components(); ++c) {

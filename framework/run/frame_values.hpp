@@ -6,6 +6,7 @@
 #include "exec/snapshot.hpp"
 #include "output/frame.hpp"
 #include "run/setup.hpp"
+#include "run/whole_state.hpp"
 #include "schedule/state.hpp"
 
 namespace mesogen {
@@ -14,8 +15,8 @@ namespace mesogen {
 /// nothing more. Another thread may put it in the order of ids while steps go on.
 class FrameValues {
  public:
-  /// Both must outlive it.
-  FrameValues(const State& state, const Setup& setup);
+  /// All of these must outlive it.
+  FrameValues(const State& state, const WholeState& whole, const Setup& setup);
 
   /// Copies what is now, in place of what was taken before. The output fields are up to date.
   void take();
@@ -29,6 +30,7 @@ class FrameValues {
   void fill_positions(const Columns& columns, FrameField& position, FrameField& image) const;
 
   const State& state_;
+  const WholeState& whole_;
   const Setup& setup_;
   exec::Snapshot snapshot_;    // of ids, positions, images, and the output fields, component by component
   std::size_t count_ = 0;      // particles

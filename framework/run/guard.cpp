@@ -1,7 +1,10 @@
 #include "run/guard.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
+#include <span>
+#include <thread>
 
 #include "mesogen/diagnostics/error.hpp"
 #include "mesogen/exec/dispatch.hpp"
@@ -40,9 +43,14 @@ double length_of(const FieldReader& value, int components, Index i) {
   return std::sqrt(square);
 }
 
+struct Farthest {
+  Index place = 0;
+  double excess = 0.0;
+};
+
 /// The particle that is farthest outside; what is not a number is farther than anything.
-Index farthest_outside(const Field& field, Index count, double lowest, double highest) {
-  Index worst = 0;
+Farthest farthest_outside(const Field& field, Index count, double lowest, double highest) {
+  Farthest worst;
   double most = -HUGE_VAL;
   const FieldReader reader = field.reader();
   for (Index i = 0; i < count; ++i) {
@@ -50,7 +58,7 @@ Index farthest_outside(const Field& field, Index count, double lowest, double hi
     const double excess = std::isnan(value) ? HUGE_VAL : std::max(lowest - value, value - highest);
     if (excess > most) {
       most = excess;
-      worst = i;
+      worst = {i, std::max(excess, 0.0)};
     }
   }
   return worst;
@@ -134,7 +142,7 @@ void Guard::check_prescribed() const {
   for (const Guarded& guarded : fields_) {
     if (!guarded.prescribed) continue;
     const exec::Reduction outside = look_outside(state_, *guarded.field, guarded.bounds.lowest, guarded.bounds.highest);
-    state_.backend.wait();
+    state_.wait();
     if (state_.backend.found(outside) > 0.0) stop_at_field(guarded);
   }
 }
@@ -142,6 +150,7 @@ void Guard::check_prescribed() const {
 void Guard::check_finite(const Motion& motion) const {
   if (motion.finite) return;
   const auto bad = integrator_.find_bad();
+  leave_to_the_worst(bad.field.empty() ? 0.0 : 1.0);
   stop("broke down: '" + bad.field + "' is not finite" + (bad.particle >= 0 ? " at " + particle(bad.particle) : ""),
        calmer());
 }
@@ -149,7 +158,8 @@ void Guard::check_finite(const Motion& motion) const {
 void Guard::check_speed(const Motion& motion) const {
   const double most = farthest(state_.scene);
   if (!(motion.fastest * state_.step_size > most * state_.scene.spacing)) return;
-  const Index place = farthest_outside(*integrator_.velocity(), state_.particles.count(), 0.0, 0.0);
+  const auto [place, speed] = farthest_outside(*integrator_.velocity(), state_.particles.count(), 0.0, 0.0);
+  leave_to_the_worst(speed);
   stop("ran away: the largest speed, " + rounded_text(motion.fastest) + " " + unit("m/s") + " of " + particle(place) +
            ", carries it over " + rounded_text(most) + (most == 1.0 ? " spacing" : " spacings") + " in one step",
        calmer());
@@ -161,8 +171,9 @@ void Guard::check_step(const Motion& motion) const {
   const double next = choice.seconds;
   if (!(next < shortest * control_.at_rest())) return;
   const Index count = state_.particles.count();
+  leave_to_the_worst(farthest_outside(*integrator_.velocity(), count, 0.0, 0.0).excess);
   const auto largest = [&](const Field* field, double value, const std::string& unit) {
-    return rounded_text(value) + " " + unit + " of " + particle(farthest_outside(*field, count, 0.0, 0.0));
+    return rounded_text(value) + " " + unit + " of " + particle(farthest_outside(*field, count, 0.0, 0.0).place);
   };
   const std::string acceleration =
       integrator_.acceleration() == nullptr
@@ -177,7 +188,8 @@ void Guard::check_step(const Motion& motion) const {
 
 void Guard::stop_at_field(const Guarded& guarded) const {
   const auto& [field, bounds, prescribed] = guarded;
-  const Index place = farthest_outside(*field, state_.particles.count(), bounds.lowest, bounds.highest);
+  const auto [place, excess] = farthest_outside(*field, state_.particles.count(), bounds.lowest, bounds.highest);
+  leave_to_the_worst(excess);
   stop("broke down: '" + field->name() + "' is " +
            rounded_text(length_of(field->reader(), field->components(), place)) + " at " + particle(place) +
            ", outside " + rounded_text(bounds.lowest) + " to " + rounded_text(bounds.highest) + ",",
@@ -185,8 +197,9 @@ void Guard::stop_at_field(const Guarded& guarded) const {
 }
 
 void Guard::stop_at_volume() const {
-  const Index place = farthest_outside(*volume_, state_.particles.count(), smallest_volume * lattice_volume_,
-                                       largest_volume * lattice_volume_);
+  const auto [place, excess] = farthest_outside(*volume_, state_.particles.count(), smallest_volume * lattice_volume_,
+                                                largest_volume * lattice_volume_);
+  leave_to_the_worst(excess);
   const double ratio = volume_->value(0, place) / lattice_volume_;
   stop("broke down: the volume of " + particle(place) + " is " + rounded_text(ratio) +
            " times that on a lattice, outside " + rounded_text(smallest_volume) + " to " +
@@ -202,6 +215,17 @@ void Guard::check_distances() const {
            " are " + rounded_text(pair->distance / state_.scene.spacing) + " spacings apart, less than " +
            rounded_text(nearest) + ",",
        calmer());
+}
+
+// All ranks come here at the same step. The one that has the worst particle tells of it and ends them all; the others
+// wait for that.
+void Guard::leave_to_the_worst(double excess) const {
+  if (!state_.ranks.several()) return;
+  double worst = excess;
+  state_.ranks.largest(std::span(&worst, 1));
+  if (excess >= worst) return;
+  std::this_thread::sleep_for(std::chrono::minutes(1));
+  throw Error(ExitCode::run_failed, "another rank found that the run broke down, and did not say how");
 }
 
 std::string Guard::calmer() const {

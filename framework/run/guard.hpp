@@ -48,6 +48,7 @@ class MESOGEN_EXPORT Guard {
   [[nodiscard]] std::string calmer() const;
   [[nodiscard]] std::string particle(Index place) const;
   [[nodiscard]] std::string unit(std::string_view declared) const { return state_.units.text(declared); }
+  void leave_to_the_worst(double excess) const;
   [[noreturn]] void stop(const std::string& what, const std::string& remedy) const;
 
   State& state_;

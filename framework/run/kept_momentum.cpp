@@ -63,10 +63,11 @@ void KeptMomentum::restore(const Checkpoint& checkpoint) {
 }
 
 std::vector<double> KeptMomentum::mean() {
-  const Index count = state_.particles.count();
   std::vector<double> all;
   for (int c = 0; c < velocity_->components(); ++c)
-    all.push_back((state_.backend.has_host_code() ? exact_sum(c) : sum_of_parts(c)) / count);
+    all.push_back(state_.backend.has_host_code() ? exact_sum(c) : sum_of_parts(c));
+  state_.ranks.add(all);
+  for (double& sum : all) sum /= state_.scene.particle_count;
   return all;
 }
 

@@ -13,8 +13,9 @@ namespace {
 /// date for it then.
 class DeclaredView final : public StateView {
  public:
-  DeclaredView(const State& state, const Setup& setup, const Setup::ObserverMember& observer, bool following)
-      : StateView(state), setup_(setup), observer_(observer), following_(following) {}
+  DeclaredView(const State& state, const WholeState& whole, const Setup& setup, const Setup::ObserverMember& observer,
+               bool following)
+      : StateView(state, whole), setup_(setup), observer_(observer), following_(following) {}
 
   [[nodiscard]] FieldReader field(std::string_view name) const override {
     check(name);
@@ -61,7 +62,9 @@ void call(const State& state, const Setup::ObserverMember& member, const char* n
 }  // namespace
 
 Observation::Observation(Stepper& stepper)
-    : stepper_(stepper), frame_values_(std::make_shared<FrameValues>(stepper.state(), stepper.setup())) {
+    : stepper_(stepper),
+      whole_(stepper.state()),
+      frame_values_(std::make_shared<FrameValues>(stepper.state(), whole_, stepper.setup())) {
   for (const auto& member : stepper.setup().observers) {
     sampling_.push_back({"observers." + member.instance + ": sample", "plugin"});
     following_.push_back({"observers." + member.instance + ": follow", "plugin"});
@@ -79,9 +82,10 @@ void Observation::declare(ResultsWriter& results) const {
 void Observation::start() {
   first_step_ = stepper_.state().step;
   for (const auto& member : stepper_.setup().observers) {
-    stepper_.executor().prepare(member.fields);
+    prepare(member.fields);
+    if (!ranks().is_first()) continue;
     call(stepper_.state(), member, "start()",
-         [&] { member.plugin->start(DeclaredView(stepper_.state(), stepper_.setup(), member, false)); });
+         [&] { member.plugin->start(DeclaredView(stepper_.state(), whole_, stepper_.setup(), member, false)); });
   }
 }
 
@@ -91,18 +95,21 @@ void Observation::follow() {
     const auto& member = members[n];
     if (!member.plan.follows()) continue;
     const Span span(following_[n], stepper_.state().clock.trace);
+    whole_.gather(member.fields);
+    if (!ranks().is_first()) continue;
     call(stepper_.state(), member, "follow()",
-         [&] { member.plugin->follow(DeclaredView(stepper_.state(), stepper_.setup(), member, true)); });
+         [&] { member.plugin->follow(DeclaredView(stepper_.state(), whole_, stepper_.setup(), member, true)); });
   }
 }
 
 Sample Observation::sample(std::size_t n) {
   const auto& member = stepper_.setup().observers[n];
-  stepper_.executor().prepare(member.fields);
+  prepare(member.fields);
   const Span span(sampling_[n], stepper_.state().clock.trace);
   Sample sample;
+  if (!ranks().is_first()) return sample;
   call(stepper_.state(), member, "sample()",
-       [&] { member.plugin->sample(DeclaredView(stepper_.state(), stepper_.setup(), member, false), sample); });
+       [&] { member.plugin->sample(DeclaredView(stepper_.state(), whole_, stepper_.setup(), member, false), sample); });
   return sample;
 }
 
@@ -123,10 +130,10 @@ EndRecords Observation::record_end(ResultsWriter& results) {
   EndRecords records;
   std::vector<bool> missing;
   for (const auto& member : stepper_.setup().observers) {
-    missing.push_back(results.last_sample_step(member.instance) != step);
+    missing.push_back(any(ranks(), results.writes() && results.last_sample_step(member.instance) != step));
     if (missing.back()) records.observers.insert(member.instance);
   }
-  records.frame = results.last_frame_step() != step;
+  records.frame = any(ranks(), results.writes() && results.last_frame_step() != step);
   missing.push_back(records.frame);
   record(missing, results);
   return records;
@@ -135,18 +142,31 @@ EndRecords Observation::record_end(ResultsWriter& results) {
 void Observation::record(const std::vector<bool>& due, ResultsWriter& results) {
   const State& state = stepper_.state();
   const auto& members = stepper_.setup().observers;
-  for (std::size_t n = 0; n < members.size(); ++n)
-    if (due[n]) results.add_sample(members[n].instance, sample(n), state.step, state.time);
+  for (std::size_t n = 0; n < members.size(); ++n) {
+    if (!due[n]) continue;
+    const Sample taken = sample(n);
+    if (results.writes()) results.add_sample(members[n].instance, taken, state.step, state.time);
+  }
   if (!due.back()) return;
   // Passes are counted as such, wherever they run.
-  stepper_.executor().prepare(stepper_.setup().output_fields);
+  prepare(stepper_.setup().output_fields);
+  if (!results.writes()) return;
   const Span span(frames_, state.clock.trace);
   results.wait();  // for the frame before
-  results.add_frame(take_frame(), state.step, state.time);
+  results.add_frame(take_prepared_frame(), state.step, state.time);
+}
+
+void Observation::prepare(const std::vector<std::string>& fields) {
+  stepper_.executor().prepare(fields);
+  whole_.gather(fields);
 }
 
 TakenFrame Observation::take_frame() {
-  stepper_.executor().prepare(stepper_.setup().output_fields);
+  prepare(stepper_.setup().output_fields);
+  return take_prepared_frame();
+}
+
+TakenFrame Observation::take_prepared_frame() {
   frame_values_->take();
   return {frame_values_->fields(), [values = frame_values_](std::vector<FrameField>& fields) { values->fill(fields); }};
 }
@@ -164,11 +184,13 @@ std::vector<Counter> Observation::counters() const {
 }
 
 void Observation::save(Checkpoint& checkpoint) const {
+  if (!ranks().is_first()) return;
   for (const auto& member : stepper_.setup().observers)
     call(stepper_.state(), member, "save()", [&] { checkpoint.observers[member.instance] = member.plugin->save(); });
 }
 
 void Observation::restore(const Checkpoint& checkpoint) {
+  if (!ranks().is_first()) return;
   for (const auto& member : stepper_.setup().observers) {
     const auto at = checkpoint.observers.find(member.instance);
     if (at == checkpoint.observers.end())

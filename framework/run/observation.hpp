@@ -13,7 +13,8 @@
 
 namespace mesogen {
 
-/// The observers and frames of a run, and where their results go.
+/// The observers and frames of a run, and where their results go. Where ranks share a run, all of them call the same
+/// functions; observers live on the first, which sees the whole state.
 class MESOGEN_EXPORT Observation {
  public:
   explicit Observation(Stepper& stepper);
@@ -48,8 +49,14 @@ class MESOGEN_EXPORT Observation {
 
  private:
   void record(const std::vector<bool>& due, ResultsWriter& results);
+  [[nodiscard]] TakenFrame take_prepared_frame();
+
+  /// Brings what a reader reads up to date, and gathers it.
+  void prepare(const std::vector<std::string>& fields);
+  [[nodiscard]] const Ranks& ranks() const { return stepper_.state().ranks; }
 
   Stepper& stepper_;
+  WholeState whole_;
   std::shared_ptr<FrameValues> frame_values_;  // with who still fills a frame
   std::int64_t first_step_ = 0;                ///< observers follow the steps after it
   std::vector<Counter> sampling_;              // of each observer

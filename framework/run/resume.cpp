@@ -38,7 +38,8 @@ ExitCode resume_run(const PluginRegistry& registry, const RunOptions& options, c
                     Log& log, Progress& progress) {
   const std::string text = stored_case(options.folder);
   RunTrace::check(options.trace, options.folder);
-  const RunLock lock(options.folder);
+  std::optional<RunLock> lock;
+  if (options.ranks->is_first()) lock.emplace(options.folder);
   const std::string file = (options.folder / "case.toml").string();
   Problems problems;
   check_resumed_keys(changes, options.folder.string(), problems);

@@ -26,6 +26,11 @@ using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point from) { return std::chrono::duration<double>(Clock::now() - from).count(); }
 
+Setup& with_ranks(Setup& setup, const RunOptions& options) {
+  setup.ranks = options.ranks;
+  return setup;
+}
+
 /// A run in progress: steps, observations, frames and checkpoints until the end or the signal to stop.
 class Run {
  public:
@@ -35,13 +40,14 @@ class Run {
         log_(log),
         progress_(progress),
         trace_(options.trace),
-        stepper_(setup),
+        ranks_(*options.ranks),
+        stepper_(with_ranks(setup, options)),
         observation_(stepper_),
         crash_(stepper_.state().step, stepper_.state().time, setup.source.units.time),
         marks_(marks_of(setup)) {
     crash_.advise(fmt::format("no checkpoint was written yet: `mesogen resume {}` starts again from the beginning",
                               options_.folder.string()));
-    log_.open_file(options.folder / "run.log");
+    if (ranks_.is_first()) log_.open_file(options.folder / "run.log");
     stepper_.state().clock.trace = trace_.trace();
     stepper_.state().clock.waits = options.profile || trace_.trace() != nullptr;
   }
@@ -51,13 +57,13 @@ class Run {
 
   ExitCode begin() {
     start();
-    return begin(ResultsWriter::create(results_options()));
+    return begin(ranks_.is_first() ? ResultsWriter::create(results_options()) : ResultsWriter::silent());
   }
 
   ExitCode begin_again() {
     start();
     make_way(-1);
-    return begin(ResultsWriter::resume(results_options(), -1));
+    return begin(resumed(-1));
   }
 
   ExitCode resume(const Checkpoint& checkpoint) {
@@ -73,7 +79,7 @@ class Run {
     observation_.restore(checkpoint);
     make_way(checkpoint.step);
     const EndRecords forgotten = checkpoint.time < end() ? checkpoint.end_records : EndRecords{};
-    ResultsWriter results = ResultsWriter::resume(results_options(), checkpoint.step, forgotten);
+    ResultsWriter results = resumed(checkpoint.step, forgotten);
     observation_.declare(results);
     return go_on(results);
   }
@@ -87,6 +93,8 @@ class Run {
   /// The state to go on from is there: the folder takes the case of this session, and what was kept later than that
   /// state goes. (Results that are later go with ResultsWriter::resume.)
   void make_way(std::int64_t step) {
+    (void)any(ranks_, false);  // all have read what there was
+    if (!ranks_.is_first()) return;
     if (stored_case(options_.folder) != setup_.resolved_text)
       replace_stored_case(options_.folder, setup_.resolved_text);
     remove_kept_checkpoints(options_.folder, step);
@@ -95,7 +103,7 @@ class Run {
   ExitCode begin_branch(const Checkpoint& checkpoint) {
     stepper_.restore(checkpoint);
     make_way(checkpoint.step);
-    ResultsWriter results = ResultsWriter::resume(results_options(), -1);
+    ResultsWriter results = resumed(-1);
     observation_.declare(results);
     // What passes make for readers is made as at the start of a run, which advances some of what a step goes on from.
     start();
@@ -119,7 +127,14 @@ class Run {
     results.origin = origin_;
     return results;
   }
-  [[nodiscard]] bool stopped() const { return options_.stop != nullptr && options_.stop->load(); }
+  [[nodiscard]] ResultsWriter resumed(std::int64_t last_step, const EndRecords& forgotten = {}) const {
+    return ranks_.is_first() ? ResultsWriter::resume(results_options(), last_step, forgotten) : ResultsWriter::silent();
+  }
+  [[nodiscard]] bool stopped() const { return any(ranks_, options_.stop != nullptr && options_.stop->load()); }
+  /// By the clock of the first rank.
+  [[nodiscard]] bool checkpoint_is_due(Clock::time_point saved) const {
+    return any(ranks_, ranks_.is_first() && seconds_since(saved) >= setup_.source.output.checkpoint_interval);
+  }
 
   [[nodiscard]] Checkpoint checkpoint() {
     Checkpoint checkpoint;
@@ -136,7 +151,7 @@ class Run {
 
   void write(const Checkpoint& checkpoint, ResultsWriter& results) {
     results.flush();
-    mesogen::write_checkpoint(options_.folder, checkpoint);
+    if (ranks_.is_first()) mesogen::write_checkpoint(options_.folder, checkpoint);
     saved_step_ = checkpoint.step;
     advise_to_resume(checkpoint);
   }
@@ -157,7 +172,8 @@ class Run {
   void keep_checkpoint(ResultsWriter& results) {
     const Span span(checkpoints_, trace_.trace());
     results.flush();
-    mesogen::keep_checkpoint(options_.folder, checkpoint());
+    const Checkpoint kept = checkpoint();
+    if (ranks_.is_first()) mesogen::keep_checkpoint(options_.folder, kept);
   }
 
   /// Before the first step that is another one only because the run ends where it does.
@@ -167,7 +183,8 @@ class Run {
     if (step.seconds == longer.seconds && step.arrival == longer.arrival) return;
     const Span span(checkpoints_, trace_.trace());
     results.flush();
-    write_checkpoint_before_end(options_.folder, checkpoint());
+    const Checkpoint before = checkpoint();
+    if (ranks_.is_first()) write_checkpoint_before_end(options_.folder, before);
     shortened_for_ = end();
   }
 
@@ -203,7 +220,7 @@ class Run {
         results.check();
         progress_.update(state.time, state.step);
         if (marks_.keeps(from, stepper_.arrival())) keep_checkpoint(results);
-        if (!last && seconds_since(saved) >= setup_.source.output.checkpoint_interval) {
+        if (!last && checkpoint_is_due(saved)) {
           write_checkpoint(results);
           saved = Clock::now();
         }
@@ -258,6 +275,7 @@ class Run {
   Log& log_;
   Progress& progress_;
   RunTrace trace_;
+  const Ranks& ranks_;
   Stepper stepper_;
   Observation observation_;
   CrashAdvice crash_;
@@ -279,6 +297,7 @@ ExitCode run_case(Case source, const PluginRegistry& registry, const RunOptions&
   const auto setup = set_up(std::move(source), registry, problems);
   if (options.inspect) options.inspect(*setup);
   RunTrace::check(options.trace, options.folder);
+  if (!options.ranks->is_first()) return start_session(*setup, options, log, progress);
   const RunLock lock = start_run_folder(options.folder, setup->resolved_text, options.overwrite);
   return start_session(*setup, options, log, progress);
 }

@@ -18,8 +18,9 @@ namespace mesogen {
 struct RunOptions {
   std::filesystem::path folder;
   bool overwrite = false;
-  bool profile = false;         ///< print where the time went
-  std::filesystem::path trace;  ///< file for a trace of it; empty: none
+  bool profile = false;                  ///< print where the time went
+  std::filesystem::path trace;           ///< file for a trace of it; empty: none
+  const Ranks* ranks = &Ranks::alone();  ///< that share the run
   /// Set by a signal handler: stop at the next step, with a checkpoint.
   const std::atomic<bool>* stop = nullptr;
   /// Looks at the case once it is set up, before anything is written; may throw to refuse it.

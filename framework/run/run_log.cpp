@@ -14,10 +14,11 @@ namespace mesogen {
 void log_beginning(Log& log, const Setup& setup, const Stepper::Step& first) {
   const std::string_view precision = to_string(setup.scene.precision);
   const int threads = omp_get_max_threads();
-  log.info(fmt::format("{} particles, {} thread{}, {} precision, first {}step {} (limit: {})",
-                       setup.scene.particle_count, threads, threads == 1 ? "" : "s", precision,
-                       setup.scene.stabilised_steps ? "stabilised " : "", setup.source.units.time_text(first.seconds),
-                       first.limit));
+  const int ranks = setup.ranks->count();
+  log.info(fmt::format("{} particles, {}{} thread{}, {} precision, first {}step {} (limit: {})",
+                       setup.scene.particle_count, ranks > 1 ? fmt::format("{} ranks of ", ranks) : std::string(),
+                       threads, threads == 1 ? "" : "s", precision, setup.scene.stabilised_steps ? "stabilised " : "",
+                       setup.source.units.time_text(first.seconds), first.limit));
   if (const std::string fitted = fitted_spacing_text(setup.source); !fitted.empty())
     log.info("particles.spacing is " + rounded_text(setup.scene.spacing) + " " + setup.source.units.length + ": " +
              fitted);

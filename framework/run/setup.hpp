@@ -13,6 +13,7 @@
 #include "mesogen/sph/smoothing_kernel.hpp"
 #include "plugin/registry.hpp"
 #include "prescribed/prescribed.hpp"
+#include "ranks/ranks.hpp"
 #include "schedule/catalogue.hpp"
 #include "schedule/step_graph.hpp"
 #include "solids/confined_boundary.hpp"
@@ -46,6 +47,7 @@ struct MESOGEN_EXPORT Setup {
 
   Case source;
   const Backend* backend = &Backend::host();  ///< where it runs
+  const Ranks* ranks = &Ranks::alone();       ///< that share the run
   std::string why_on_host;                    ///< where a device would have been taken, had it been possible
   PluginPointer<Kernel> kernel;
   std::unique_ptr<Boundary> boundary;

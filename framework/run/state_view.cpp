@@ -14,23 +14,23 @@ namespace mesogen {
 StateView::~StateView() = default;
 
 std::vector<double> StateView::values(std::string_view name, int component) const {
-  const Field& field = state_.fields.at(name);
+  const Field& field = fields_.at(name);
   if (component < 0 || component >= field.components())
     throw Error(ExitCode::plugin_refused, "'" + std::string(name) + "' has the components 0 to " +
                                               std::to_string(field.components() - 1) + ", not " +
                                               std::to_string(component));
-  std::vector<double> all(state_.particles.id.size());
+  std::vector<double> all(particles_.id.size());
   const FieldReader value = field.reader();
 #pragma omp parallel for schedule(static)
-  for (Index i = 0; i < state_.particles.count(); ++i) all[static_cast<std::size_t>(i)] = value(component, i);
+  for (Index i = 0; i < particles_.count(); ++i) all[static_cast<std::size_t>(i)] = value(component, i);
   return all;
 }
 
 std::vector<double> StateView::position(int axis) const {
-  std::vector<double> all(state_.particles.id.size());
-  const auto position = exec::pointers(state_.particles.position, exec::Side::host);
+  std::vector<double> all(particles_.id.size());
+  const auto position = exec::pointers(particles_.position, exec::Side::host);
   const Scene& scene = state_.scene;
-  const auto count = state_.particles.count();
+  const auto count = particles_.count();
   Index outside = 0;  // how many have left the box since the last sorting
 #pragma omp parallel for schedule(static) reduction(+ : outside)
   for (Index i = 0; i < count; ++i)
@@ -51,11 +51,11 @@ std::vector<double> StateView::position(int axis) const {
 }
 
 std::vector<double> StateView::unwrapped(int axis) const {
-  std::vector<double> all(state_.particles.id.size());
-  const auto position = state_.particles.position[axis].host();
-  const auto images = state_.particles.images[axis].host();
+  std::vector<double> all(particles_.id.size());
+  const auto position = particles_.position[axis].host();
+  const auto images = particles_.images[axis].host();
   const double length = state_.scene.box[axis];
-  exec::for_each(exec::Space{}, state_.particles.count(), [=, to = all.data()](Index i) {
+  exec::for_each(exec::Space{}, particles_.count(), [=, to = all.data()](Index i) {
     const auto at = static_cast<std::size_t>(i);
     to[i] = position[at] + images[at] * length;
   });
@@ -67,8 +67,8 @@ std::vector<double> StateView::unwrapped_at(int axis, std::span<const Index> pla
   State::Chosen& chosen = state_.chosen;
   chosen.place.assign(places);
   chosen.value.resize_for_overwrite(places.size());
-  state_.backend.storage().gather_unwrapped(
-      {state_.particles.position[axis].on(device), state_.particles.images[axis].on(device), state_.scene.box[axis]},
+  backend_.storage().gather_unwrapped(
+      {particles_.position[axis].on(device), particles_.images[axis].on(device), state_.scene.box[axis]},
       std::as_const(chosen.place).on(device), static_cast<Index>(places.size()),
       chosen.value.device(exec::Access::write));
   const auto values = std::as_const(chosen.value).host();

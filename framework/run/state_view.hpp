@@ -6,6 +6,7 @@
 
 #include "mesogen/export.hpp"
 #include "mesogen/plugin/observer.hpp"
+#include "run/whole_state.hpp"
 #include "schedule/state.hpp"
 
 namespace mesogen {
@@ -13,16 +14,20 @@ namespace mesogen {
 /// The state of a run as observers see it. Whether a field is up to date is for the maker of the view to see to.
 class MESOGEN_EXPORT StateView : public ObserverContext {
  public:
-  explicit StateView(const State& state) : state_(state) {}
+  /// Of a run on one process.
+  explicit StateView(const State& state)
+      : state_(state), particles_(state.particles), fields_(state.fields), backend_(state.backend) {}
+  StateView(const State& state, const WholeState& whole)
+      : state_(state), particles_(whole.particles()), fields_(whole.fields()), backend_(whole.backend()) {}
   ~StateView() override;
 
-  [[nodiscard]] FieldReader field(std::string_view name) const override { return state_.fields.at(name).reader(); }
+  [[nodiscard]] FieldReader field(std::string_view name) const override { return fields_.at(name).reader(); }
   [[nodiscard]] std::vector<double> values(std::string_view name, int component) const override;
-  [[nodiscard]] bool has(std::string_view field) const override { return state_.fields.find(field) != nullptr; }
+  [[nodiscard]] bool has(std::string_view field) const override { return fields_.find(field) != nullptr; }
   [[nodiscard]] std::vector<double> position(int axis) const override;
   [[nodiscard]] std::vector<double> unwrapped(int axis) const override;
   [[nodiscard]] std::vector<double> unwrapped_at(int axis, std::span<const Index> places) const override;
-  [[nodiscard]] std::span<const std::int64_t> id() const override { return state_.particles.id.host(); }
+  [[nodiscard]] std::span<const std::int64_t> id() const override { return particles_.id.host(); }
   [[nodiscard]] const Scene& scene() const override { return state_.scene; }
   [[nodiscard]] const sph::SmoothingKernel& kernel() const override { return state_.kernel; }
   [[nodiscard]] double constant(std::string_view name) const override;
@@ -31,6 +36,9 @@ class MESOGEN_EXPORT StateView : public ObserverContext {
 
  private:
   const State& state_;
+  const Particles& particles_;
+  const FieldStore& fields_;
+  const Backend& backend_;
 };
 
 }  // namespace mesogen

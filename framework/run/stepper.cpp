@@ -103,7 +103,7 @@ void Stepper::advance(const Step& step, const std::vector<bool>& reader_due) {
   timed(integration_, [&] { integrator_.correct(step_size); });
   timed(guarding_, [&] { guard_.look(); });
   timed(integration_, [&] {
-    state_->backend.wait();
+    state_->wait();
     motion_ = integrator_.motion();
   });
   state_->time = step.arrival;

@@ -32,6 +32,9 @@ class ScheduledContext final : public PassContext {
   [[nodiscard]] const mesh::DeviceMesh* device_mesh() const override {
     return scheduled_.on_device ? state_.backend.mesh() : nullptr;
   }
+  [[nodiscard]] const exec::Sharing* sharing() const override {
+    return state_.ranks.several() ? &state_.ranks : nullptr;
+  }
   [[nodiscard]] Index count() const override { return state_.particles.count(); }
   [[nodiscard]] const double* position(int axis) const override { return state_.particles.position[axis].on(side_); }
   [[nodiscard]] std::uint64_t positions_version() const override { return state_.order.version(); }

@@ -3,17 +3,23 @@
 namespace mesogen {
 
 State::State(Scene scene_of_run, sph::SmoothingKernel kernel_of_run, const Boundary& boundary_of_run, Particles all,
-             const Backend& backend_of_run)
+             const Backend& backend_of_run, const Ranks& ranks_of_run)
     : scene(std::move(scene_of_run)),
       kernel(std::move(kernel_of_run)),
       boundary(boundary_of_run),
       backend(backend_of_run),
+      ranks(ranks_of_run),
       clock{backend},
       particles(std::move(all)),
-      neighbourhood(scene, boundary, backend),
-      order(particles, neighbourhood, fields, clock),
-      boundary_values(scene, boundary, neighbourhood, kernel, clock),
+      neighbourhood(scene, boundary, backend, ranks),
+      order(particles, neighbourhood, fields, clock, ranks),
+      boundary_values(scene, boundary, neighbourhood, kernel, clock, ranks),
       chosen(backend.memory()) {}
+
+void State::wait() const {
+  backend.wait();
+  if (ranks.several()) ranks.largest(backend.all_found());
+}
 
 Field& State::add_field(const std::string& name, int components, bool integrated) {
   Field& field = fields.add(std::make_unique<Field>(name, components, scene.precision, integrated, backend));

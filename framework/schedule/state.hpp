@@ -22,7 +22,7 @@ namespace mesogen {
 struct MESOGEN_EXPORT State {
   /// The arrays of the particles are made with the backend's memory.
   State(Scene scene, sph::SmoothingKernel kernel, const Boundary& boundary, Particles particles,
-        const Backend& backend = Backend::host());
+        const Backend& backend = Backend::host(), const Ranks& ranks = Ranks::alone());
   State(const State&) = delete;
   State& operator=(const State&) = delete;
 
@@ -30,6 +30,7 @@ struct MESOGEN_EXPORT State {
   const sph::SmoothingKernel kernel;
   const Boundary& boundary;
   const Backend& backend;
+  const Ranks& ranks;  ///< that share the run; particles and fields are those of this one
   WorkClock clock;
   Particles particles;
   Neighbourhood neighbourhood;
@@ -49,6 +50,8 @@ struct MESOGEN_EXPORT State {
   };
   mutable Chosen chosen;
 
+  /// Waits for what was asked for (Backend::wait). What loops looked for is then the largest of all ranks.
+  void wait() const;
   [[nodiscard]] bool single() const { return scene.precision == Precision::single_precision; }
 
   Field& add_field(const std::string& name, int components, bool integrated);

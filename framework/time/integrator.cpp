@@ -26,11 +26,11 @@ exec::Reduction look_for_largest(const Backend& backend, const Field& field, Ind
   return backend.fields<float>().largest_square(field.view<float>(device), field.components(), count);
 }
 
-double largest_length(const Backend& backend, const Field* field, Index count) {
+double largest_length(const State& state, const Field* field) {
   if (field == nullptr) return 0.0;
-  const exec::Reduction largest = look_for_largest(backend, *field, count);
-  backend.wait();
-  return std::sqrt(backend.found(largest));
+  const exec::Reduction largest = look_for_largest(state.backend, *field, state.particles.count());
+  state.wait();
+  return std::sqrt(state.backend.found(largest));
 }
 
 }  // namespace
@@ -211,7 +211,7 @@ void Integrator::look(double step_size, Motion& motion) const {
       std::as_const(*velocity_).view<Real>(device), std::as_const(*way_to_midpoint_).master(device), step_size,
       velocity_->components(), count);
   const exec::Reduction speed = look_for_largest(state_.backend, *velocity_, count);
-  state_.backend.wait();
+  state_.wait();
   motion.fastest = std::sqrt(state_.backend.found(speed));
   motion.largest_acceleration = std::sqrt(state_.backend.found(change)) / step_size;
   motion.finite = motion.finite && std::isfinite(motion.fastest) && std::isfinite(motion.largest_acceleration);
@@ -222,7 +222,7 @@ void Integrator::look(double step_size, Motion& motion) const {
 }
 
 double Integrator::largest_acceleration() const {
-  return largest_length(state_.backend, acceleration_ == nullptr ? drive_ : acceleration_, state_.particles.count());
+  return largest_length(state_, acceleration_ == nullptr ? drive_ : acceleration_);
 }
 
 double Integrator::largest(std::string_view field) const {
@@ -231,7 +231,7 @@ double Integrator::largest(std::string_view field) const {
   throw std::logic_error("'" + std::string(field) + "' is not advanced");
 }
 
-double Integrator::fastest() const { return largest_length(state_.backend, velocity_, state_.particles.count()); }
+double Integrator::fastest() const { return largest_length(state_, velocity_); }
 
 Integrator::Bad Integrator::find_bad() const {
   const auto bad_in = [&](const Field& field) {

@@ -45,10 +45,13 @@ Points scattered(const Scene& scene, int count, unsigned seed) {
 
 GhostList ghosts_of(const Boundary& boundary, const Scene& scene, const Points& points, double reach) {
   const Backend& backend = Backend::host();
-  Ghosts ghosts(images_of(scene, boundary), backend);
+  Ghosts ghosts(images_of(scene, boundary), false, backend);
   auto position = exec::axis_arrays<double>(nullptr);
   for (std::size_t d = 0; d < 3; ++d) position[d].assign(points[d]);
-  ghosts.build(scene, CellGrid(scene, boundary, reach), position, reach);
+  const auto count = static_cast<Index>(points[0].size());
+  const auto at = exec::pointers(position, exec::Side::host);
+  ghosts.build(CellGrid(scene, boundary, reach), image_search(scene, ghosts.images(), at.data(), count, reach), count,
+               0);
   const GhostView view = ghosts.view(0, exec::Side::host);
   GhostList list;
   for (Index n = 0; n < ghosts.count(); ++n) {

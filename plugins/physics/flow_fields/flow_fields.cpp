@@ -63,7 +63,7 @@ requires(Dim == 2) class FlowFields final : public Physics {
       throw Error(ExitCode::bad_case,
                   "the stream function exists only in a periodic box, and this box has walls: remove stream_function "
                   "from output.fields and from what observers read");
-    if (!stream_function_) stream_function_ = std::make_unique<StreamFunction>(grid_, context.device_mesh());
+    if (!stream_function_) stream_function_ = std::make_unique<StreamFunction>(grid_, context);
     stream_function_->find(context, context.read<Real>("velocity"), context.write<Real>("stream_function"));
   }
 

@@ -47,9 +47,9 @@ struct PutInto {
 /// the part without divergence (Helmholtz).
 class StreamFunction {
  public:
-  /// `device`: PassContext::device_mesh().
-  StreamFunction(const mesh::Grid<2>& grid, const mesh::DeviceMesh* device)
-      : spectrum_(grid, device), u_(spectrum_.memory()), v_(spectrum_.memory()) {
+  /// `context`: of the passes that will use it.
+  StreamFunction(const mesh::Grid<2>& grid, const PassContext& context)
+      : spectrum_(grid, context.device_mesh(), context.sharing()), u_(spectrum_.memory()), v_(spectrum_.memory()) {
     u_.resize(spectrum_.mode_count());
     v_.resize(spectrum_.mode_count());
   }

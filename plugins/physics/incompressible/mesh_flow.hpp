@@ -43,7 +43,7 @@ class MeshFlow {
   /// To be called before all below: they run where passes do. A checkpoint is read earlier.
   void run_where(const PassContext& context) {
     if (mesh_) return;
-    mesh_.emplace(grid_, context.device_mesh());
+    mesh_.emplace(grid_, context);
     momentum_.move_to(mesh_->spectrum.memory());
   }
 
@@ -147,8 +147,8 @@ class MeshFlow {
     exec::Array<Complex> uneven;
     exec::Array<double> mean;
 
-    OnMesh(const mesh::Grid<Dim>& grid, const mesh::DeviceMesh* device)
-        : spectrum(grid, device),
+    OnMesh(const mesh::Grid<Dim>& grid, const PassContext& context)
+        : spectrum(grid, context.device_mesh(), context.sharing()),
           midpoint(grid.mode_count(), spectrum.memory()),
           work(grid.mode_count(), spectrum.memory()),
           uneven(spectrum.memory()),

@@ -87,7 +87,7 @@ TEST(Loops, GhostsGoByTheRulesOfTheirImages) {
   const std::vector<Index> source{1, 0};
   const std::vector<std::uint8_t> image{0, 1};
   const FieldView<double> field{values.data(), 4};
-  const GhostView ghosts{2, 2, source.data(), image.data(), {}, {}};
+  const GhostView ghosts{2, 2, 2, source.data(), image.data(), {}, {}, {}};
   Backend::host().ghosts().refresh(ghosts, {}, field, 2);
   EXPECT_EQ(values, (std::vector<double>{1.0, 2.0, 2.0, 1.0, 10.0, 20.0, 20.0, 10.0}));
   const FieldKind kind{Rank::vector, FieldRole::velocity, 2};
@@ -171,7 +171,7 @@ TEST(CellLoops, OrderAndRangesAgree) {
   Backend::host().storage().gather(unsorted.data(), order.data(), count, cell.data());
   std::vector<Index> begin(static_cast<std::size_t>(grid.padded_count()), -1);
   std::vector<Index> end(static_cast<std::size_t>(grid.padded_count()), -1);
-  loops.find_ranges(grid, cell.data(), count, begin.data(), end.data());
+  loops.find_ranges(grid, {0, grid.inside_count()}, cell.data(), count, begin.data(), end.data());
   Index next = 0;
   for (int c = 0; c < grid.inside_count(); ++c) {
     const auto index = static_cast<std::size_t>(grid.padded_index(grid.inside(c)));

@@ -34,6 +34,10 @@ inline Error hardly_any_particle() {
                "a point of the mesh has hardly any particle about it: leave the shift of the flow at its default, or "
                "take a coarser mesh (mesh_spacing of a flow on a mesh)");
 }
+inline Error shared_on_devices() {
+  return Error(ExitCode::bad_case,
+               "several ranks share a mesh on the host alone: set run.device = \"cpu\", or run it on one rank");
+}
 inline Error not_finite() { return Error(ExitCode::run_failed, "the coordinate of a particle is not finite"); }
 
 /// How often a fit is corrected: no more than is allowed, and only while much is missing. The first guess misses about

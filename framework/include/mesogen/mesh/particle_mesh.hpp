@@ -4,8 +4,11 @@
 #include <array>
 #include <bit>
 #include <cstddef>
+#include <cstdint>
+#include <span>
 #include <vector>
 
+#include "mesogen/exec/sharing.hpp"
 #include "mesogen/mesh/cubic_spline.hpp"
 #include "mesogen/mesh/fields_on_grid.hpp"
 #include "mesogen/mesh/located_particles.hpp"
@@ -31,8 +34,10 @@ class ParticleMesh {
  public:
   using Fields = FieldsOnGrid<Real>;
 
-  explicit ParticleMesh(const Grid<Dim>& grid)
+  /// `sharing`: the processes that share the particles. What they spread is added up on each; null: there is this one.
+  explicit ParticleMesh(const Grid<Dim>& grid, const exec::Sharing* sharing = nullptr)
       : grid_(grid),
+        sharing_(sharing),
         line_(grid.points[0] + reach - 1),
         lines_in_layer_(layers_are_rows ? 1 : grid.points[1] + reach - 1),
         particles_(grid) {}
@@ -48,6 +53,12 @@ class ParticleMesh {
 
   [[nodiscard]] const Grid<Dim>& grid() const { return grid_; }
   [[nodiscard]] Index count() const { return particles_.count(); }
+  /// Particles of all processes.
+  [[nodiscard]] std::int64_t total() const {
+    std::int64_t number = count();
+    if (sharing_ != nullptr) sharing_->add(std::span(&number, 1));
+    return number;
+  }
 
   /// As LocatedParticles::locate.
   void locate(const std::array<const double*, Dim>& position, Index count, const std::array<double, Dim>& origin = {}) {
@@ -60,7 +71,7 @@ class ParticleMesh {
   template <int Count, class Value, class Finish>
   void spread(const Value& value, Fields& out, const Finish& finish) {
     sum_slabs<Count, false>(value);
-    put_together<Count>(out, finish);
+    put_together_of_all<Count>(out, finish);
   }
   template <int Count, class Value>
   void spread(const Value& value, Fields& out) {
@@ -73,7 +84,7 @@ class ParticleMesh {
   void spread_missing(const Value& value, Fields& fields, const Finish& finish) {
     interleave<Count>(fields);
     sum_slabs<Count, true>(value);
-    put_together<Count>(fields, finish);
+    put_together_of_all<Count>(fields, finish);
   }
 
   /// Calls take(i, numbers) for every particle, with the values that the first `Count` fields have there.
@@ -210,6 +221,15 @@ class ParticleMesh {
     }
   }
 
+  template <int Count, class Finish>
+  void put_together_of_all(Fields& out, const Finish& finish) const {
+    if (sharing_ == nullptr) return put_together<Count>(out, finish);
+    put_together<Count>(out, [](int) {});
+    sharing_->add(std::span(out.row(0, 0), static_cast<std::size_t>(Count * out.field_stride())));
+#pragma omp parallel for schedule(static) if (grid_.point_count() >= parallel_threshold)
+    for (int row = 0; row < grid_.row_count(); ++row) finish(row);
+  }
+
   // Adds each row of points from all slabs whose particles reach it, also across the periodic face. Values stored
   // beyond the last point of a line or of a layer belong to the first points.
   template <int Count, class Finish>
@@ -268,6 +288,7 @@ class ParticleMesh {
   }
 
   Grid<Dim> grid_;
+  const exec::Sharing* sharing_;
   int line_;            // points in a row, and those stored beyond its end
   int lines_in_layer_;  // the same for lines
   LocatedParticles<Dim, Real> particles_;

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "mesogen/mesh/fitting.hpp"
@@ -20,8 +21,10 @@ class ParticleSpectrum {
  public:
   using WaveVector = typename KeptModes<Dim>::WaveVector;
 
-  explicit ParticleSpectrum(const Grid<Dim>& grid)
-      : mesh_(grid), transform_(grid), restore_(grid.mode_count(), 0.0), weight_(grid, 1) {
+  /// `sharing`: the processes that share the particles; all of them call alike, and each has the modes of all. Null:
+  /// this one has them all.
+  explicit ParticleSpectrum(const Grid<Dim>& grid, const exec::Sharing* sharing = nullptr)
+      : mesh_(grid, sharing), transform_(grid), restore_(grid.mode_count(), 0.0), weight_(grid, 1) {
     kept().for_each([&](std::size_t n, const WaveVector& k) { restore_[n] = restoring_factor<Dim>(grid, k); });
   }
 
@@ -48,13 +51,14 @@ class ParticleSpectrum {
       for (int d = 0; d < Dim; ++d) lost |= static_cast<int>(!(std::abs(position[d][i]) < 1e9 * grid().length[d]));
     if (lost != 0) throw not_finite();
     mesh_.locate(position, count, origin);
+    total_ = mesh_.total();
     weighed_ = false;
   }
 
   /// Modes of the number density over its mean, minus 1: zero if particles lie evenly. Throws as fit() does.
   void unevenness(Complex* modes) {
     if (!weighed_) spread_weighed<0>([](Index, Real*) {});
-    const auto per_mean = static_cast<Real>(static_cast<double>(grid().point_count()) / mesh_.count());
+    const auto per_mean = static_cast<Real>(static_cast<double>(grid().point_count()) / static_cast<double>(total_));
     auto& points = transform_.points(1);
 #pragma omp parallel for schedule(static) if (grid().point_count() >= parallel_threshold)
     for (int row = 0; row < grid().row_count(); ++row)
@@ -120,7 +124,7 @@ class ParticleSpectrum {
   // the unevenness.
   template <int Count, class Value>
   void spread_weighed(const Value& value) {
-    const double mean = static_cast<double>(mesh_.count()) / static_cast<double>(grid().point_count());
+    const double mean = static_cast<double>(total_) / static_cast<double>(grid().point_count());
     const auto rows = static_cast<std::size_t>(grid().row_count());
     row_squares_.resize(rows);
     row_least_.resize(rows);
@@ -152,6 +156,7 @@ class ParticleSpectrum {
   ModeTransform<Dim, Real> transform_;
   std::vector<double> restore_;  // 1 / (factor by which spreading reduces a wave)
   FieldsOnGrid<Real> weight_;    // of all particles at each point
+  std::int64_t total_ = 0;       // particles of all processes
   bool weighed_ = false;
   double uneven_ = 0.0;
   std::vector<double> row_squares_;

@@ -19,13 +19,16 @@ class PassSpectrum {
   using WaveVector = typename KeptModes<Dim>::WaveVector;
 
   /// `device`: PassContext::device_mesh(). Throws std::logic_error if that is null in code that nvcc compiled.
-  PassSpectrum(const Grid<Dim>& grid, const DeviceMesh* device) : modes_(grid, device) {
+  /// `sharing`: PassContext::sharing(). Throws Error(bad_case) where processes share a mesh on devices.
+  PassSpectrum(const Grid<Dim>& grid, const DeviceMesh* device, const exec::Sharing* sharing = nullptr)
+      : modes_(grid, device) {
+    if (device != nullptr && sharing != nullptr) throw shared_on_devices();
     if (device != nullptr) {
       memory_ = &device->memory();
       space_ = device->space();
       form_.template emplace<DeviceSpectrum<Dim, Real>>(grid, *device);
     } else {
-      make_on_host(grid);
+      make_on_host(grid, sharing);
     }
   }
 
@@ -69,14 +72,16 @@ class PassSpectrum {
   // What nvcc compiles runs only where there is a device.
   using Compiled = DeviceSpectrum<Dim, Real>;
   using Form = std::variant<std::monostate, DeviceSpectrum<Dim, Real>>;
-  static void make_on_host(const Grid<Dim>&) {
+  static void make_on_host(const Grid<Dim>&, const exec::Sharing*) {
     throw std::logic_error(
         "PassSpectrum is compiled for a device here, and was given none: it cannot work on the host");
   }
 #else
   using Compiled = ParticleSpectrum<Dim, Real>;
   using Form = std::variant<std::monostate, DeviceSpectrum<Dim, Real>, ParticleSpectrum<Dim, Real>>;
-  void make_on_host(const Grid<Dim>& grid) { form_.template emplace<ParticleSpectrum<Dim, Real>>(grid); }
+  void make_on_host(const Grid<Dim>& grid, const exec::Sharing* sharing) {
+    form_.template emplace<ParticleSpectrum<Dim, Real>>(grid, sharing);
+  }
 #endif
 
   template <class Action>

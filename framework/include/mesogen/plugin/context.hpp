@@ -17,6 +17,9 @@ struct SmoothingKernel;
 namespace mesh {
 class DeviceMesh;
 }
+namespace exec {
+class Sharing;
+}
 
 /// A number that may vary (Parameter::may_vary), at each particle.
 template <class Real>
@@ -73,7 +76,10 @@ class MESOGEN_EXPORT PassContext {
   [[nodiscard]] virtual exec::Space space() const = 0;
   /// What a device offers a mesh beside the particles (mesh/pass_spectrum.hpp); null on the host.
   [[nodiscard]] virtual const mesh::DeviceMesh* device_mesh() const;
-  /// Number of particles of the fluid. Boundary copies follow them in storage.
+  /// The processes that share the particles, to add up with them what this one found for its own; null where there is
+  /// one.
+  [[nodiscard]] virtual const exec::Sharing* sharing() const;
+  /// Number of particles of the fluid that this process has. Boundary copies follow them in storage.
   [[nodiscard]] virtual Index count() const = 0;
   /// Coordinates of the particles, m. Between two sortings they may be some spacings outside the box.
   [[nodiscard]] virtual const double* position(int axis) const = 0;
