@@ -33,7 +33,7 @@ class MESOGEN_EXPORT Halo {
   template <class Real>
   void bring(FieldView<Real> field, int components, Index first);
 
-  /// Bytes that this rank sent since the start.
+  /// Since the start, by this rank.
   [[nodiscard]] std::int64_t bytes_sent() const { return bytes_sent_; }
 
  private:

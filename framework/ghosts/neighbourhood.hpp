@@ -83,6 +83,7 @@ class MESOGEN_EXPORT Neighbourhood {
   /// Raised whenever there are other wall particles.
   [[nodiscard]] std::uint64_t walls_version() const { return walls_version_; }
   [[nodiscard]] Halo& halo() { return halo_; }
+  [[nodiscard]] const Halo& halo() const { return halo_; }
   [[nodiscard]] const Parts& parts() const { return parts_; }
   /// The borders between ranks that a checkpoint has.
   void take_parts(std::span<const std::int64_t> begins);

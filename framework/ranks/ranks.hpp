@@ -43,6 +43,14 @@ class MESOGEN_EXPORT Ranks : public exec::Sharing {
   /// order counts.
   virtual void exchange(std::span<const Outgoing> outgoing, std::span<const Incoming> incoming) const = 0;
 
+  /// What this rank sent, and how long it was in the functions above: mostly waiting for others.
+  struct Traffic {
+    std::int64_t messages = 0;
+    std::int64_t bytes = 0;
+    double seconds = 0.0;
+  };
+  [[nodiscard]] virtual Traffic traffic() const { return {}; }
+
   /// Ends the processes of all ranks.
   [[noreturn]] virtual void abort(int exit_status) const = 0;
 

@@ -122,6 +122,8 @@ ExitCode branch_run(const PluginRegistry& registry, const BranchPoint& from, con
   if (options.inspect) options.inspect(*after);
   const std::string name = (from.folder / found.file).string();
   const Checkpoint first = first_checkpoint(*before, *after, from, changes, std::move(found));
+  after->ranks = options.ranks;
+  if (!options.ranks->is_first()) return continue_session(*after, first, options, log, progress);
   const RunLock lock = start_run_folder(options.folder, after->resolved_text, options.overwrite, &first);
   log.info(fmt::format("branching from {} at t = {}, step {}, to t = {}", name,
                        after->source.units.time_text(first.time), first.step,

@@ -45,6 +45,7 @@ ExitCode resume_run(const PluginRegistry& registry, const RunOptions& options, c
   check_resumed_keys(changes, options.folder.string(), problems);
   problems.throw_if_any();
   const auto setup = set_up(read_case_text(text, file, changes, problems), registry, problems);
+  setup->ranks = options.ranks;
   if (options.inspect) options.inspect(*setup);
   const double end = setup->source.time.end;
   if (!has_checkpoint(options.folder)) {

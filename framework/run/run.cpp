@@ -11,6 +11,7 @@
 #include "run/cost_meter.hpp"
 #include "run/marks_of.hpp"
 #include "run/observation.hpp"
+#include "run/rank_log.hpp"
 #include "run/results_options.hpp"
 #include "run/run_log.hpp"
 #include "run/run_session.hpp"
@@ -26,11 +27,6 @@ using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point from) { return std::chrono::duration<double>(Clock::now() - from).count(); }
 
-Setup& with_ranks(Setup& setup, const RunOptions& options) {
-  setup.ranks = options.ranks;
-  return setup;
-}
-
 /// A run in progress: steps, observations, frames and checkpoints until the end or the signal to stop.
 class Run {
  public:
@@ -41,8 +37,9 @@ class Run {
         progress_(progress),
         trace_(options.trace),
         ranks_(*options.ranks),
-        stepper_(with_ranks(setup, options)),
+        stepper_(setup),
         observation_(stepper_),
+        rank_log_(stepper_.state()),
         crash_(stepper_.state().step, stepper_.state().time, setup.source.units.time),
         marks_(marks_of(setup)) {
     crash_.advise(fmt::format("no checkpoint was written yet: `mesogen resume {}` starts again from the beginning",
@@ -55,15 +52,16 @@ class Run {
   Run(const Run&) = delete;
   Run& operator=(const Run&) = delete;
 
-  ExitCode begin() {
+  /// `again`: after a kill before the first checkpoint.
+  ExitCode begin(bool again) {
     start();
-    return begin(ranks_.is_first() ? ResultsWriter::create(results_options()) : ResultsWriter::silent());
-  }
-
-  ExitCode begin_again() {
-    start();
-    make_way(-1);
-    return begin(resumed(-1));
+    if (again) make_way(-1);
+    ResultsWriter results = resumed(-1);
+    observation_.declare(results);
+    observation_.observe(everybody(), results);
+    log_.info(fmt::format("results go to {}", options_.folder.string()));
+    log_beginning(log_, setup_, stepper_.next_step(marks_, end()));
+    return go_on(results);
   }
 
   ExitCode resume(const Checkpoint& checkpoint) {
@@ -112,26 +110,15 @@ class Run {
     return go_on(results);
   }
 
-  ExitCode begin(ResultsWriter results) {
-    observation_.declare(results);
-    observation_.observe(everybody(), results);
-    log_.info(fmt::format("results go to {}", options_.folder.string()));
-    log_beginning(log_, setup_, stepper_.next_step(marks_, end()));
-    return go_on(results);
-  }
-
   [[nodiscard]] double end() const { return setup_.source.time.end; }
   [[nodiscard]] std::vector<bool> everybody() const { return std::vector<bool>(setup_.observers.size() + 1, true); }
-  [[nodiscard]] ResultsOptions results_options() const {
-    ResultsOptions results = mesogen::results_options(setup_, options_.folder);
-    results.origin = origin_;
-    return results;
-  }
   [[nodiscard]] ResultsWriter resumed(std::int64_t last_step, const EndRecords& forgotten = {}) const {
-    return ranks_.is_first() ? ResultsWriter::resume(results_options(), last_step, forgotten) : ResultsWriter::silent();
+    if (!ranks_.is_first()) return ResultsWriter::silent();
+    ResultsOptions options = results_options(setup_, options_.folder);
+    options.origin = origin_;
+    return ResultsWriter::resume(std::move(options), last_step, forgotten);
   }
   [[nodiscard]] bool stopped() const { return any(ranks_, options_.stop != nullptr && options_.stop->load()); }
-  /// By the clock of the first rank.
   [[nodiscard]] bool checkpoint_is_due(Clock::time_point saved) const {
     return any(ranks_, ranks_.is_first() && seconds_since(saved) >= setup_.source.output.checkpoint_interval);
   }
@@ -165,15 +152,14 @@ class Run {
 
   void write_checkpoint(ResultsWriter& results) {
     const Span span(checkpoints_, trace_.trace());
-    results.flush();  // and the frame makes room before the checkpoint takes some
+    results.flush();  // the frame makes room
     write(checkpoint(), results);
   }
 
   void keep_checkpoint(ResultsWriter& results) {
     const Span span(checkpoints_, trace_.trace());
     results.flush();
-    const Checkpoint kept = checkpoint();
-    if (ranks_.is_first()) mesogen::keep_checkpoint(options_.folder, kept);
+    if (const Checkpoint kept = checkpoint(); ranks_.is_first()) mesogen::keep_checkpoint(options_.folder, kept);
   }
 
   /// Before the first step that is another one only because the run ends where it does.
@@ -183,8 +169,7 @@ class Run {
     if (step.seconds == longer.seconds && step.arrival == longer.arrival) return;
     const Span span(checkpoints_, trace_.trace());
     results.flush();
-    const Checkpoint before = checkpoint();
-    if (ranks_.is_first()) write_checkpoint_before_end(options_.folder, before);
+    if (const Checkpoint last = checkpoint(); ranks_.is_first()) write_checkpoint_before_end(options_.folder, last);
     shortened_for_ = end();
   }
 
@@ -206,6 +191,7 @@ class Run {
     auto saved = Clock::now();
     const std::int64_t first = state.step;
     shares_before_ = shares();
+    rank_log_.begin();
     progress_.start(state.time, state.step, end(), setup_.source.units.time);
     try {
       while (state.time < end() && !stopped()) {
@@ -260,7 +246,9 @@ class Run {
   void report(std::int64_t steps, double seconds) {
     if (steps == 0) return;
     log_speed(log_, setup_, steps, seconds, stepper_.state().neighbourhood.sortings());
-    if (options_.profile) log_shares(log_, shares(), shares_before_, steps, seconds);
+    if (!options_.profile) return;
+    rank_log_.tell(log_, steps, seconds);
+    log_shares(log_, shares(), shares_before_, steps, seconds);
   }
 
   [[nodiscard]] std::vector<Counter> shares() const {
@@ -278,6 +266,7 @@ class Run {
   const Ranks& ranks_;
   Stepper stepper_;
   Observation observation_;
+  RankLog rank_log_;
   CrashAdvice crash_;
   Counter checkpoints_{"output: checkpoint", "output"};
   Marks marks_;
@@ -291,23 +280,12 @@ class Run {
 
 }  // namespace
 
-ExitCode run_case(Case source, const PluginRegistry& registry, const RunOptions& options, Log& log,
-                  Progress& progress) {
-  Problems problems;
-  const auto setup = set_up(std::move(source), registry, problems);
-  if (options.inspect) options.inspect(*setup);
-  RunTrace::check(options.trace, options.folder);
-  if (!options.ranks->is_first()) return start_session(*setup, options, log, progress);
-  const RunLock lock = start_run_folder(options.folder, setup->resolved_text, options.overwrite);
-  return start_session(*setup, options, log, progress);
-}
-
 ExitCode start_session(Setup& setup, const RunOptions& options, Log& log, Progress& progress) {
-  return Run(setup, options, log, progress).begin();
+  return Run(setup, options, log, progress).begin(false);
 }
 
 ExitCode start_session_again(Setup& setup, const RunOptions& options, Log& log, Progress& progress) {
-  return Run(setup, options, log, progress).begin_again();
+  return Run(setup, options, log, progress).begin(true);
 }
 
 ExitCode continue_session(Setup& setup, const Checkpoint& checkpoint, const RunOptions& options, Log& log,

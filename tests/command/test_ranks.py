@@ -1,6 +1,7 @@
 """Runs on several processes: the same results as on one, to rounding; the same bits again; no end without a message."""
 
 import os
+import re
 import shutil
 import signal
 import subprocess
@@ -54,10 +55,10 @@ class RanksTest(CommandTest):
     def launch(self, ranks, *arguments):
         return ["mpirun", "-n", str(ranks), MESOGEN, *arguments, "--threads", "1"]
 
-    def ranks(self, ranks, *arguments, code=0):
+    def ranks(self, ranks, *arguments, code=0, **environment):
         """Runs the command on so many processes; returns what they wrote to stderr."""
-        done = subprocess.run(self.launch(ranks, *arguments), cwd=self.folder, env=self.environment(**HOW), text=True,
-                              capture_output=True, timeout=300, check=False)
+        done = subprocess.run(self.launch(ranks, *arguments), cwd=self.folder, text=True, capture_output=True,
+                              env=self.environment(**HOW, **environment), timeout=300, check=False)
         self.assertEqual(done.returncode, code, done.stdout + done.stderr)
         return done.stderr
 
@@ -131,6 +132,30 @@ class Agreement(RanksTest):
         text = JITTERED.replace("[physics.flow]", '[velocity]\ntype = "modes"\nmodes = [[1, 0, 0.3, 0.2]]\n'
                                                   "[physics.flow]").replace("end = 0.1", "end = 0.3")
         self.expect_agreement(text)
+
+
+# A device that the host plays: what somebody forgot to copy, or never wrote, is not a number there.
+class Devices(RanksTest):
+    def test_on_the_emulated_device(self):
+        library = os.path.join(os.path.dirname(os.path.dirname(MESOGEN)), "lib", "libmesogen_cuda.so")
+        if not os.path.exists(library):
+            self.skipTest("built without CUDA")
+        emulated = {"MESOGEN_CUDA_ON_HOST": "1"}
+        case = self.write_case(at_boundary(WALLS))
+        on_device = ("--set", 'run.device="cuda"')
+        self.mesogen("run", case, "--output", "one", "--quiet", *on_device, **emulated)
+        for ranks in (2, 3):
+            self.ranks(ranks, "run", case, "--output", "several", "--quiet", "--overwrite", *on_device, **emulated)
+            self.expect_same("one", "several", 1e-12)
+
+    def test_no_mesh_on_devices(self):
+        library = os.path.join(os.path.dirname(os.path.dirname(MESOGEN)), "lib", "libmesogen_cuda.so")
+        if not os.path.exists(library):
+            self.skipTest("built without CUDA")
+        case = self.write_case(JITTERED.replace('"wcsph"', '"incompressible"'))
+        err = self.ranks(2, "run", case, "--output", "out", "--quiet", "--set", 'run.device="cuda"', code=2,
+                         MESOGEN_CUDA_ON_HOST="1")
+        self.assertIn("several ranks share a mesh on the host alone: set run.device", err)
 
 
 class SameBits(RanksTest):
@@ -233,6 +258,23 @@ class Messages(RanksTest):
         case = self.write_case(CASE)
         err = self.ranks(8, "run", case, "--output", "out", "--quiet", code=2)
         self.assertIn("8 ranks cannot share a box of 7 rows of cells: take at most 7 ranks", err)
+
+    # Each of 2 ranks has 8 rows of 16 particles; it sees those of 4 rows above and below, as many as a support is high,
+    # and half of another row of cells where cells are 16/7 rows high.
+    def test_the_profile_tells_what_ranks_send(self):
+        text = CASE.replace("[time]", '[time]\nstepping = "explicit"').replace("end = 0.1", "end = 0.5")
+        case = self.write_case(text.replace("interval = 0.05", "interval = 0.5"))  # readers have ghosts too
+        err = self.ranks(2, "run", case, "--output", "out", "--profile")
+        told = re.search(r"2 ranks; at most, a rank has (\d+) particles \((.+) % more than the mean\), sees (\d+) of "
+                         r"others, sends (\d+) bytes a step for ghosts and (\d+) in all, in .+ messages", err)
+        self.assertTrue(told, err)
+        particles, above, others, ghosts, everything = (float(number) for number in told.groups())
+        self.assertEqual(above, round(100.0 * (particles / 128.0 - 1.0), 1))
+        self.assertIn(others, (112.0, 128.0))
+        # Two coordinates and seven numbers in double precision a step: volume, velocity, order tensor, compression and
+        # pressure. Once more before the first step, which is not counted.
+        self.assertAlmostEqual(ghosts / (8 * 9 * others), 1.0, delta=0.1)
+        self.assertGreater(everything, ghosts)
 
     def test_the_log_tells_of_ranks(self):
         err = self.ranks(2, "run", self.write_case(CASE), "--output", "out")

@@ -45,6 +45,7 @@ class MpiRanks final : public Ranks {
   // As the integers of their bits, which are in the same order: what is not a number comes last.
   void largest(std::span<double> numbers) const override {
     static_assert(sizeof(double) == sizeof(std::uint64_t));
+    const Timed timed(traffic_, 1, numbers.size_bytes());
     std::vector<std::uint64_t> bits(numbers.size());
     std::memcpy(bits.data(), numbers.data(), numbers.size_bytes());
     check(MPI_Allreduce(MPI_IN_PLACE, bits.data(), as_int(bits.size()), MPI_UINT64_T, MPI_MAX, MPI_COMM_WORLD),
@@ -54,10 +55,12 @@ class MpiRanks final : public Ranks {
   void add(std::span<double> numbers) const override { add_in_order(numbers); }
   void add(std::span<float> numbers) const override { add_in_order(numbers); }
   void add(std::span<std::int64_t> numbers) const override {
+    const Timed timed(traffic_, 1, numbers.size_bytes());
     check(MPI_Allreduce(MPI_IN_PLACE, numbers.data(), as_int(numbers.size()), MPI_INT64_T, MPI_SUM, MPI_COMM_WORLD),
           "a sum over all ranks");
   }
   void broadcast(std::span<std::byte> bytes) const override {
+    const Timed timed(traffic_, 1, rank_ == 0 ? bytes.size() : 0);
     for (std::size_t begin = 0; begin < bytes.size(); begin += most_bytes)
       check(MPI_Bcast(bytes.data() + begin, as_int(std::min(most_bytes, bytes.size() - begin)), MPI_BYTE, 0,
                       MPI_COMM_WORLD),
@@ -65,12 +68,16 @@ class MpiRanks final : public Ranks {
   }
   [[nodiscard]] std::vector<std::int64_t> swap(std::span<const std::int64_t> numbers) const override {
     std::vector<std::int64_t> got(static_cast<std::size_t>(count_));
+    const Timed timed(traffic_, 1, numbers.size_bytes());
     check(MPI_Alltoall(numbers.data(), 1, MPI_INT64_T, got.data(), 1, MPI_INT64_T, MPI_COMM_WORLD),
           "telling the lengths of messages");
     return got;
   }
   void exchange(std::span<const Outgoing> outgoing, std::span<const Incoming> incoming) const override {
     std::vector<MPI_Request> requests;
+    std::size_t sent = 0;
+    for (const Outgoing& one : outgoing) sent += one.bytes.size();
+    const Timed timed(traffic_, outgoing.size(), sent);
     const auto in_parts = [](auto bytes, const auto& action) {
       for (std::size_t begin = 0; begin < bytes.size(); begin += most_bytes)
         action(bytes.data() + begin, as_int(std::min(most_bytes, bytes.size() - begin)));
@@ -87,12 +94,29 @@ class MpiRanks final : public Ranks {
       });
     check(MPI_Waitall(as_int(requests.size()), requests.data(), MPI_STATUSES_IGNORE), "waiting for messages");
   }
+  [[nodiscard]] Traffic traffic() const override { return traffic_; }
   [[noreturn]] void abort(int exit_status) const override {
     MPI_Abort(MPI_COMM_WORLD, exit_status);
     std::abort();
   }
 
  private:
+  /// Counts a call from its beginning to its end.
+  class Timed {
+   public:
+    Timed(Traffic& traffic, std::size_t messages, std::size_t bytes) : traffic_(traffic) {
+      traffic.messages += static_cast<std::int64_t>(messages);
+      traffic.bytes += static_cast<std::int64_t>(bytes);
+    }
+    ~Timed() { traffic_.seconds += MPI_Wtime() - begin_; }
+    Timed(const Timed&) = delete;
+    Timed& operator=(const Timed&) = delete;
+
+   private:
+    Traffic& traffic_;
+    double begin_ = MPI_Wtime();
+  };
+
   // MPI_Allreduce may add in another order each time. Each rank adds up a section of the numbers, in the order of
   // ranks, and tells the others the sums.
   template <class Real>
@@ -132,6 +156,7 @@ class MpiRanks final : public Ranks {
     return static_cast<int>(number);
   }
 
+  mutable Traffic traffic_;
   int rank_ = 0;
   int count_ = 1;
 };
