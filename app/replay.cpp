@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "options.hpp"
+#include "ranks/mpi_library.hpp"
 #include "verbs.hpp"
 
 namespace mesogen::app {
@@ -18,6 +19,8 @@ struct Options {
 };
 
 ExitCode replay(const Options& options) {
+  if (processes_started() > 1)
+    throw Error(ExitCode::bad_case, "a replay runs on one process: start it without mpirun or srun");
   use_threads(options.running);
   const auto registry = load_plugins(options.observers.plugin_folders, options.running.quiet);
   ReplayOptions replay;

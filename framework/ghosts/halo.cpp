@@ -30,7 +30,8 @@ Halo::Halo(const Ranks& ranks, const Backend& backend)
       single_(backend.memory()),
       double_(backend.memory()) {}
 
-void Halo::find(const Parts& parts, const ImageSearch& own, const exec::Array<Index>& cell_of, int reach) {
+void Halo::find(const Parts& parts, const ImageSearch& own, const exec::Array<Index>& cell_of, int reach,
+                std::span<const std::int64_t> own_ids) {
   const auto cell = cell_of.host();
   const bool any_row = shears_along(own.images, parts.axis());
   std::vector<Index> places;
@@ -54,6 +55,36 @@ void Halo::find(const Parts& parts, const ImageSearch& own, const exec::Array<In
   const std::vector<std::int64_t> from = ranks_.swap(number);
   std::partial_sum(from.begin(), from.end(), got_.begin() + 1);
   for (exec::Array<double>& axis : position_) axis.resize_for_overwrite(got_.back());
+  std::vector<std::int64_t> sent;
+  for (const Index place : places) sent.push_back(own_ids[static_cast<std::size_t>(place)]);
+  ids_.resize(got_.back());
+  exchange<std::int64_t>(sent, ids_, 1);
+}
+
+namespace {
+
+/// Calls action(rank, place of its first, how many) for each rank that has some.
+template <class Action>
+void for_parts(const std::vector<std::size_t>& begin, const Action& action) {
+  for (std::size_t rank = 0; rank + 1 < begin.size(); ++rank)
+    if (const std::size_t length = begin[rank + 1] - begin[rank]; length > 0) action(rank, begin[rank], length);
+}
+
+}  // namespace
+
+template <class T>
+void Halo::exchange(std::span<const T> out, std::span<T> in, std::size_t components) {
+  std::vector<Ranks::Outgoing> outgoing;
+  std::vector<Ranks::Incoming> incoming;
+  for_parts(given_, [&](std::size_t rank, std::size_t begin, std::size_t length) {
+    outgoing.push_back({static_cast<int>(rank), std::as_bytes(out.subspan(components * begin, components * length))});
+  });
+  for_parts(got_, [&](std::size_t rank, std::size_t begin, std::size_t length) {
+    incoming.push_back(
+        {static_cast<int>(rank), std::as_writable_bytes(in.subspan(components * begin, components * length))});
+  });
+  ranks_.exchange(outgoing, incoming);
+  bytes_sent_ += static_cast<std::int64_t>(out.size_bytes());
 }
 
 // A message holds the values of a rank's particles component by component.
@@ -64,29 +95,13 @@ void Halo::swap(std::span<const Real* const> from, std::span<Real* const> to) {
   Buffers<Real>& buffers = this->buffers<Real>();
   buffers.out.resize_for_overwrite(components * given_.back());
   buffers.in.resize_for_overwrite(components * got_.back());
-  const auto for_parts = [&](const std::vector<std::size_t>& begin, const auto& action) {
-    for (std::size_t rank = 0; rank + 1 < begin.size(); ++rank)
-      if (const std::size_t length = begin[rank + 1] - begin[rank]; length > 0) action(rank, begin[rank], length);
-  };
   Real* const packed = buffers.out.device(exec::Access::write);
   const Index* const place = place_.device();
   for_parts(given_, [&](std::size_t, std::size_t begin, std::size_t length) {
     for (std::size_t c = 0; c < components; ++c)
       loops.gather(from[c], place + begin, static_cast<Index>(length), packed + components * begin + c * length);
   });
-  std::vector<Ranks::Outgoing> outgoing;
-  std::vector<Ranks::Incoming> incoming;
-  const auto out = buffers.out.host();
-  const auto in = buffers.in.host(exec::Access::write);
-  for_parts(given_, [&](std::size_t rank, std::size_t begin, std::size_t length) {
-    outgoing.push_back({static_cast<int>(rank), std::as_bytes(out.subspan(components * begin, components * length))});
-  });
-  for_parts(got_, [&](std::size_t rank, std::size_t begin, std::size_t length) {
-    incoming.push_back(
-        {static_cast<int>(rank), std::as_writable_bytes(in.subspan(components * begin, components * length))});
-  });
-  ranks_.exchange(outgoing, incoming);
-  bytes_sent_ += static_cast<std::int64_t>(out.size_bytes());
+  exchange<Real>(buffers.out.host(), buffers.in.host(exec::Access::write), components);
   const Real* const came = std::as_const(buffers.in).device();
   for_parts(got_, [&](std::size_t, std::size_t begin, std::size_t length) {
     for (std::size_t c = 0; c < components; ++c)

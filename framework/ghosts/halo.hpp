@@ -20,11 +20,13 @@ class MESOGEN_EXPORT Halo {
 
   /// `own`: of particles that are stored by cell and were sorted there, in these cells. `reach`: how many rows of cells
   /// a rank looks beyond its own.
-  void find(const Parts& parts, const ImageSearch& own, const exec::Array<Index>& cell_of, int reach);
+  void find(const Parts& parts, const ImageSearch& own, const exec::Array<Index>& cell_of, int reach,
+            std::span<const std::int64_t> own_ids);
 
   /// How many there are.
   [[nodiscard]] Index count() const { return static_cast<Index>(got_.back()); }
-  /// m; as bring() left them.
+  [[nodiscard]] const std::vector<std::int64_t>& ids() const { return ids_; }
+  /// m; as bring_positions() left them.
   [[nodiscard]] const exec::AxisArrays<double>& position() const { return position_; }
 
   /// Brings the positions of all, from those of this rank's particles.
@@ -51,6 +53,8 @@ class MESOGEN_EXPORT Halo {
       return double_;
     }
   }
+  template <class T>
+  void exchange(std::span<const T> out, std::span<T> in, std::size_t components);
   template <class Real>
   void swap(std::span<const Real* const> from, std::span<Real* const> to);
 
@@ -59,6 +63,7 @@ class MESOGEN_EXPORT Halo {
   exec::Array<Index> place_;        // of particles that others ask for, by rank
   std::vector<std::size_t> given_;  // where those of each rank begin among them, one more at the end
   std::vector<std::size_t> got_;    // likewise among those of others
+  std::vector<std::int64_t> ids_;
   exec::AxisArrays<double> position_;
   Buffers<float> single_;
   Buffers<double> double_;

@@ -78,7 +78,7 @@ const exec::Array<Index>& Neighbourhood::sort(Particles& particles) {
 
 bool Neighbourhood::update(const Particles& particles, double farthest) {
   ++version_;
-  if (cell_of_.empty() || !place(particles.position, farthest)) return false;
+  if (!sorted_ || !place(particles.position, farthest)) return false;
   if (!neighbours_found_) {
     find_neighbours();
     (void)place(particles.position, 0.0);
@@ -95,15 +95,16 @@ const exec::Array<Index>& Neighbourhood::reorder(Particles& particles) {
 void Neighbourhood::order(Particles& particles) {
   sort_particles(particles);
   find_cells(sorted_position_);
-  build_ghosts();
+  build_ghosts(std::as_const(particles.id).host());
   neighbours_found_ = false;
 }
 
-void Neighbourhood::restore(const std::array<std::vector<double>, 3>& sorted_position) {
+void Neighbourhood::restore(const Particles& particles, const std::array<std::vector<double>, 3>& sorted_position) {
   ++version_;
   for (int d = 0; d < scene_.dimension; ++d) sorted_position_[d].assign(sorted_position[d]);
+  sorted_ = true;
   find_cells(sorted_position_);
-  build_ghosts();
+  build_ghosts(particles.id.host());
   neighbours_found_ = false;
 }
 
@@ -140,12 +141,12 @@ void Neighbourhood::find_cells(const exec::AxisArrays<double>& position) {
 
 // Ghosts are found by cell as particles are; those of the walls have tables of their own. Cells beyond the faces keep
 // what they had where there are no ghosts: nothing.
-void Neighbourhood::build_ghosts() {
+void Neighbourhood::build_ghosts(std::span<const std::int64_t> ids) {
   const Index count = own();
   const auto at = exec::pointers(sorted_position_, device);
   ImageSearch search = image_search(scene_, ghosts_.images(), at.data(), count, scene_.support + skin_);
   if (ranks_.several()) {
-    halo_.find(parts_, search, cell_of_, rows_seen_);
+    halo_.find(parts_, search, cell_of_, rows_seen_, ids);
     halo_.bring_positions(sorted_position_, scene_.dimension);
     std::ranges::copy(exec::pointers(halo_.position(), device), search.of_others);
     search.slab = parts_.slab(ranks_.rank(), rows_seen_);

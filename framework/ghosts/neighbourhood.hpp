@@ -64,13 +64,13 @@ class MESOGEN_EXPORT Neighbourhood {
   void find_blocks_for_host(bool wanted) { blocks_wanted_ = wanted || backend_.has_host_code(); }
 
   /// Is there an order of storage?
-  [[nodiscard]] bool sorted() const { return !cell_of_.empty(); }
+  [[nodiscard]] bool sorted() const { return sorted_; }
   /// The next update() sorts, wherever particles are.
-  void forget_order() { cell_of_.clear(); }
+  void forget_order() { sorted_ = false; }
 
   /// Returns to an earlier sorting: particles are in its order of storage and were sorted at these coordinates. Finds
   /// no neighbours: the next update() does.
-  void restore(const std::array<std::vector<double>, 3>& sorted_position);
+  void restore(const Particles& particles, const std::array<std::vector<double>, 3>& sorted_position);
   [[nodiscard]] const exec::AxisArrays<double>& sorted_position() const { return sorted_position_; }
 
   [[nodiscard]] const WallSet& walls() const { return *walls_; }
@@ -108,7 +108,7 @@ class MESOGEN_EXPORT Neighbourhood {
   void keep_inside(Particles& particles);
   void sort_particles(Particles& particles);
   void find_cells(const exec::AxisArrays<double>& position);
-  void build_ghosts();
+  void build_ghosts(std::span<const std::int64_t> ids);
   void make_room();
   template <class Real>
   [[nodiscard]] exec::AxisArrays<Real>& local() {
@@ -149,6 +149,7 @@ class MESOGEN_EXPORT Neighbourhood {
   bool blocks_wanted_;
   exec::Array<Index> run_begin_;  // by particle, one more at the end
   exec::Array<NeighbourRun> run_;
+  bool sorted_ = false;  // on all ranks, also on one that has no particles
   bool neighbours_found_ = false;
   Ghosts ghosts_;
   Halo halo_;

@@ -112,6 +112,7 @@ void Neighbourhood::sort_particles(Particles& particles) {
     sorted_position_[d].resize_for_overwrite(particles.id.size());
     loops.copy(particles.position[d].device(), sorted_position_[d].device(Access::write), count);
   }
+  sorted_ = true;
   ++sortings_;
 }
 

@@ -60,7 +60,7 @@ void ParticleOrder::return_to_integration() {
   permute(kept_->way_back);
   if (kept_->journey) carry_fields(*kept_->journey, true);
   particles_ = kept_->particles;
-  neighbourhood_.restore(kept_->sorted_position);
+  neighbourhood_.restore(particles_, kept_->sorted_position);
   changed_places();
   moved_ = true;
   farthest_ = nobody_knows;
@@ -88,7 +88,7 @@ void ParticleOrder::sort_anew() {
 void ParticleOrder::restore(const std::array<std::vector<double>, 3>& sorted_position) {
   kept_.reset();
   mark_moved();
-  neighbourhood_.restore(sorted_position);
+  neighbourhood_.restore(particles_, sorted_position);
   resize_fields();
   for (const auto& [name, field] : fields_.all()) field->refreshed = 0;
 }

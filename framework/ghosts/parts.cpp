@@ -74,8 +74,12 @@ bool Parts::balance(std::span<const std::int64_t> particles_in_row) {
   return true;
 }
 
+bool Parts::can_take(std::span<const std::int64_t> begins) const {
+  return begins.size() == begin_.size() && begins.front() == 0 && begins.back() == rows_ &&
+         std::ranges::is_sorted(begins, std::less_equal<>());
+}
+
 void Parts::take(std::span<const std::int64_t> begins) {
-  if (begins.size() != begin_.size()) return;
   std::ranges::transform(begins, begin_.begin(), [](std::int64_t row) { return static_cast<int>(row); });
 }
 

@@ -40,7 +40,8 @@ class MESOGEN_EXPORT Parts {
 
   /// Moves the borders to where every rank has about as many particles, if one has too many now. Were they moved?
   bool balance(std::span<const std::int64_t> particles_in_row);
-  /// Borders from a checkpoint.
+  /// Borders from a checkpoint, and whether they are some of these ranks in this box.
+  [[nodiscard]] bool can_take(std::span<const std::int64_t> begins) const;
   void take(std::span<const std::int64_t> begins);
   [[nodiscard]] const std::vector<int>& begins() const { return begin_; }
 

@@ -1,6 +1,9 @@
 #include <algorithm>
+#include <array>
 #include <cstdlib>
+#include <functional>
 #include <stdexcept>
+#include <string_view>
 
 #include "ranks/ranks.hpp"
 
@@ -35,6 +38,30 @@ class Alone final : public Ranks {
 }  // namespace
 
 Ranks::~Ranks() = default;
+
+std::string text_of_worst(const Ranks& ranks, double number, const std::string& text) {
+  if (!ranks.several()) return text;
+  double worst = number;
+  ranks.largest(std::span(&worst, 1));
+  double first = number == worst ? 1.0 / (1.0 + ranks.rank()) : 0.0;
+  const double own = first;
+  ranks.largest(std::span(&first, 1));
+  const std::string_view said = own == first ? std::string_view(text) : std::string_view();
+  std::vector<char> all = gather(ranks, std::span<const char>(said));
+  std::int64_t length = ranks.is_first() ? static_cast<std::int64_t>(all.size()) : 0;
+  ranks.add(std::span(&length, 1));
+  all.resize(static_cast<std::size_t>(length));
+  ranks.broadcast(std::as_writable_bytes(std::span(all)));
+  return {all.begin(), all.end()};
+}
+
+bool same_on_all(const Ranks& ranks, const std::string& text) {
+  if (!ranks.several()) return true;
+  const auto hash = static_cast<double>(std::hash<std::string>()(text) >> 12U);  // exact in a double
+  std::array extremes{hash, 0x1p52 - hash};
+  ranks.largest(extremes);
+  return !any(ranks, extremes[0] != hash || extremes[1] != 0x1p52 - hash);
+}
 
 const Ranks& Ranks::alone() {
   static const Alone one;

@@ -38,7 +38,12 @@ const Ranks& load(int processes) {
   const std::string problem =
       found == nullptr ? "it exports no `" + std::string(mpi_library_symbol) + "`" : mpi_library_problem(*found);
   if (!problem.empty()) throw Error(ExitCode::bad_case, started + file.string() + ": " + problem);
-  return *found->ranks();
+  const Ranks& ranks = *found->ranks();
+  if (ranks.count() != processes)
+    throw Error(ExitCode::bad_case, started + "MPI sees " + std::to_string(ranks.count()) +
+                                        ": start it by the mpirun of the MPI that Mesogen was built with, or by srun "
+                                        "--mpi=pmix");
+  return ranks;
 }
 
 }  // namespace

@@ -85,6 +85,12 @@ inline double sum(const Ranks& ranks, double number) {
   return number;
 }
 
+/// What the rank says whose number is the largest (at or above 0), the first of those that have the same: on all ranks.
+MESOGEN_EXPORT std::string text_of_worst(const Ranks& ranks, double number, const std::string& text);
+
+/// Is it the same text on all ranks?
+MESOGEN_EXPORT bool same_on_all(const Ranks& ranks, const std::string& text);
+
 /// Is it so on any rank?
 inline bool any(const Ranks& ranks, bool here) {
   if (!ranks.several()) return here;

@@ -1,6 +1,7 @@
 #include "run/choose_backend.hpp"
 
 #include "backend/cuda_library.hpp"
+#include "ranks/mpi_library.hpp"
 
 namespace mesogen {
 
@@ -24,6 +25,11 @@ BackendChoice choose_backend(const Case& source, const PluginRegistry& registry)
   const bool everywhere = cuda_on_host() == CudaOnHost::everywhere;
   if (source.run.device == "cpu" && !everywhere) return choice;
   const bool automatic = source.run.device != "cuda";
+  if (processes_started() > 1) {
+    (automatic ? choice.why_on_host : choice.problem) =
+        "several ranks compute on the host alone, \"cpu\"; on a device take one process";
+    return choice;
+  }
   if (automatic) choice.why_on_host = without_code(source, registry);
   if (!choice.why_on_host.empty()) return choice;
   const CudaBackend cuda = cuda_backend();

@@ -1,10 +1,8 @@
 #include "run/guard.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
-#include <span>
-#include <thread>
+#include <utility>
 
 #include "mesogen/diagnostics/error.hpp"
 #include "mesogen/exec/dispatch.hpp"
@@ -150,19 +148,17 @@ void Guard::check_prescribed() const {
 void Guard::check_finite(const Motion& motion) const {
   if (motion.finite) return;
   const auto bad = integrator_.find_bad();
-  leave_to_the_worst(bad.field.empty() ? 0.0 : 1.0);
   stop("broke down: '" + bad.field + "' is not finite" + (bad.particle >= 0 ? " at " + particle(bad.particle) : ""),
-       calmer());
+       calmer(), bad.field.empty() ? 0.0 : 1.0);
 }
 
 void Guard::check_speed(const Motion& motion) const {
   const double most = farthest(state_.scene);
   if (!(motion.fastest * state_.step_size > most * state_.scene.spacing)) return;
   const auto [place, speed] = farthest_outside(*integrator_.velocity(), state_.particles.count(), 0.0, 0.0);
-  leave_to_the_worst(speed);
   stop("ran away: the largest speed, " + rounded_text(motion.fastest) + " " + unit("m/s") + " of " + particle(place) +
            ", carries it over " + rounded_text(most) + (most == 1.0 ? " spacing" : " spacings") + " in one step",
-       calmer());
+       calmer(), speed);
 }
 
 void Guard::check_step(const Motion& motion) const {
@@ -171,61 +167,53 @@ void Guard::check_step(const Motion& motion) const {
   const double next = choice.seconds;
   if (!(next < shortest * control_.at_rest())) return;
   const Index count = state_.particles.count();
-  leave_to_the_worst(farthest_outside(*integrator_.velocity(), count, 0.0, 0.0).excess);
   const auto largest = [&](const Field* field, double value, const std::string& unit) {
     return rounded_text(value) + " " + unit + " of " + particle(farthest_outside(*field, count, 0.0, 0.0).place);
   };
   const std::string acceleration =
-      integrator_.acceleration() == nullptr
-          ? ""
+      integrator_.acceleration() == nullptr ? ""
+      // The rank that has the fastest particle tells of it; the other may be another's.
+      : state_.ranks.several()
+          ? ", and acceleration, " + rounded_text(motion.largest_acceleration) + " " + unit("m/s2")
           : ", and acceleration, " + largest(integrator_.acceleration(), motion.largest_acceleration, unit("m/s2"));
   const std::string ask = acceleration.empty() ? "asks" : "ask";
   stop("ran away: the largest speed, " + largest(integrator_.velocity(), motion.fastest, unit("m/s")) + acceleration +
            ", " + ask + " for steps of " + rounded_text(next) + " " + unit("s") + " (" + choice.limit +
            "), where the fluid at rest allows " + rounded_text(control_.at_rest()) + " " + unit("s"),
-       "If the flow is meant to be so fast, give the step by time.step");
+       "If the flow is meant to be so fast, give the step by time.step",
+       farthest_outside(*integrator_.velocity(), count, 0.0, 0.0).excess);
 }
 
 void Guard::stop_at_field(const Guarded& guarded) const {
   const auto& [field, bounds, prescribed] = guarded;
   const auto [place, excess] = farthest_outside(*field, state_.particles.count(), bounds.lowest, bounds.highest);
-  leave_to_the_worst(excess);
   stop("broke down: '" + field->name() + "' is " +
-           rounded_text(length_of(field->reader(), field->components(), place)) + " at " + particle(place) +
-           ", outside " + rounded_text(bounds.lowest) + " to " + rounded_text(bounds.highest) + ",",
-       bounds.remedy);
+           (state_.particles.count() == 0 ? "" : rounded_text(length_of(field->reader(), field->components(), place))) +
+           " at " + particle(place) + ", outside " + rounded_text(bounds.lowest) + " to " +
+           rounded_text(bounds.highest) + ",",
+       bounds.remedy, excess);
 }
 
 void Guard::stop_at_volume() const {
   const auto [place, excess] = farthest_outside(*volume_, state_.particles.count(), smallest_volume * lattice_volume_,
                                                 largest_volume * lattice_volume_);
-  leave_to_the_worst(excess);
-  const double ratio = volume_->value(0, place) / lattice_volume_;
+  const double ratio = state_.particles.count() == 0 ? 0.0 : volume_->value(0, place) / lattice_volume_;
   stop("broke down: the volume of " + particle(place) + " is " + rounded_text(ratio) +
            " times that on a lattice, outside " + rounded_text(smallest_volume) + " to " +
            rounded_text(largest_volume) + ": " +
            (ratio > 1.0 ? "particles have left a void there" : "particles have gathered there") + ",",
-       calmer());
+       calmer(), excess);
 }
 
 void Guard::check_distances() const {
-  const auto pair = closest_pair(state_, nearest * state_.scene.spacing);
-  if (!pair) return;
-  stop("broke down: " + particle(std::min(pair->a, pair->b)) + " and " + particle(std::max(pair->a, pair->b)) +
-           " are " + rounded_text(pair->distance / state_.scene.spacing) + " spacings apart, less than " +
-           rounded_text(nearest) + ",",
-       calmer());
-}
-
-// All ranks come here at the same step. The one that has the worst particle tells of it and ends them all; the others
-// wait for that.
-void Guard::leave_to_the_worst(double excess) const {
-  if (!state_.ranks.several()) return;
-  double worst = excess;
-  state_.ranks.largest(std::span(&worst, 1));
-  if (excess >= worst) return;
-  std::this_thread::sleep_for(std::chrono::minutes(1));
-  throw Error(ExitCode::run_failed, "another rank found that the run broke down, and did not say how");
+  const auto found = closest_pair(state_, nearest * state_.scene.spacing);
+  if (!any(state_.ranks, found.has_value())) return;
+  ClosestPair pair = found.value_or(ClosestPair{});
+  if (id_at(pair.b) < id_at(pair.a)) std::swap(pair.a, pair.b);
+  const double apart = pair.distance / state_.scene.spacing;
+  stop("broke down: " + particle(pair.a) + " and " + particle(pair.b) + " are " + rounded_text(apart) +
+           " spacings apart, less than " + rounded_text(nearest) + ",",
+       calmer(), found ? nearest / std::max(apart, 1e-300) : 0.0);
 }
 
 std::string Guard::calmer() const {
@@ -234,22 +222,39 @@ std::string Guard::calmer() const {
   return looks_for_pairs_ ? "Leave the shift of the flow at its default, or t" + step : "T" + step;
 }
 
+// A place beyond the ghosts is that of a particle of another rank.
+std::int64_t Guard::id_at(Index place) const {
+  const Index count = state_.particles.count();
+  if (place >= 0 && place < count) return state_.particles.id.host()[static_cast<std::size_t>(place)];
+  const GhostView ghosts = state_.neighbourhood.ghost_view(exec::Side::host);
+  const Index of_others = place - (ghosts.first + ghosts.count);
+  const std::vector<std::int64_t>& ids = state_.neighbourhood.halo().ids();
+  return place < 0 || of_others < 0 || of_others >= std::ssize(ids) ? -1 : ids[static_cast<std::size_t>(of_others)];
+}
+
 std::string Guard::particle(Index place) const {
+  const std::int64_t id = id_at(place);
+  if (id < 0) return "no particle";  // of a rank that has none: another one tells
+  const GhostView ghosts = state_.neighbourhood.ghost_view(exec::Side::host);
+  const bool own = place < state_.particles.count();
   std::array<double, 3> at{};
   std::array<std::int32_t, 3> images{};
   for (int d = 0; d < state_.scene.dimension; ++d)
-    at[d] = state_.particles.position[d].host()[static_cast<std::size_t>(place)];
+    at[d] = own ? state_.particles.position[d].host()[static_cast<std::size_t>(place)]
+                : ghosts.of_others[d][place - (ghosts.first + ghosts.count)];
   state_.boundary.keep_inside(state_.scene, at.data(), images.data());
-  std::string text = "particle " + std::to_string(state_.particles.id.host()[static_cast<std::size_t>(place)]) + " (";
+  std::string text = "particle " + std::to_string(id) + " (";
   for (int d = 0; d < state_.scene.dimension; ++d) text += (d > 0 ? ", " : "") + rounded_text(at[d]);
   return text + ")";
 }
 
-void Guard::stop(const std::string& what, const std::string& remedy) const {
-  throw Error(ExitCode::run_failed, "the run " + what + " at t = " + rounded_text(state_.time) + " " + unit("s") +
-                                        " (step " + std::to_string(state_.step) + ", step size " +
-                                        rounded_text(state_.step_size) + " " + unit("s") + "). " + remedy +
-                                        "; the frames before are kept");
+// All ranks come here at the same step, and all throw what the one says that has the worst particle.
+void Guard::stop(const std::string& what, const std::string& remedy, double excess) const {
+  throw Error(ExitCode::run_failed,
+              text_of_worst(state_.ranks, excess,
+                            "the run " + what + " at t = " + rounded_text(state_.time) + " " + unit("s") + " (step " +
+                                std::to_string(state_.step) + ", step size " + rounded_text(state_.step_size) + " " +
+                                unit("s") + "). " + remedy + "; the frames before are kept"));
 }
 
 }  // namespace mesogen

@@ -46,10 +46,11 @@ class MESOGEN_EXPORT Guard {
   [[noreturn]] void stop_at_volume() const;
   /// What to do where particles are too fast, or lie unevenly.
   [[nodiscard]] std::string calmer() const;
+  [[nodiscard]] std::int64_t id_at(Index place) const;
   [[nodiscard]] std::string particle(Index place) const;
   [[nodiscard]] std::string unit(std::string_view declared) const { return state_.units.text(declared); }
-  void leave_to_the_worst(double excess) const;
-  [[noreturn]] void stop(const std::string& what, const std::string& remedy) const;
+  /// `excess`: how bad it is on this rank.
+  [[noreturn]] void stop(const std::string& what, const std::string& remedy, double excess) const;
 
   State& state_;
   const Integrator& integrator_;

@@ -35,8 +35,8 @@ class Run {
         options_(options),
         log_(log),
         progress_(progress),
-        trace_(options.trace),
         ranks_(*options.ranks),
+        trace_(ranks_.is_first() ? options.trace : std::filesystem::path()),
         stepper_(setup),
         observation_(stepper_),
         rank_log_(stepper_.state()),
@@ -84,6 +84,10 @@ class Run {
 
  private:
   void start() {
+    if (!same_on_all(ranks_, setup_.resolved_text + setup_.instruction_sets + MESOGEN_VERSION))
+      throw Error(ExitCode::bad_case,
+                  "ranks start from different cases, or from code for different processors: let all of them read one "
+                  "folder, on processors of one kind");
     stepper_.start();
     observation_.start();
   }
@@ -262,8 +266,8 @@ class Run {
   const RunOptions& options_;
   Log& log_;
   Progress& progress_;
-  RunTrace trace_;
   const Ranks& ranks_;
+  RunTrace trace_;
   Stepper stepper_;
   Observation observation_;
   RankLog rank_log_;

@@ -43,7 +43,13 @@ Share share_of(const State& state, const Checkpoint& checkpoint) {
   const auto total = static_cast<std::size_t>(state.scene.particle_count);
   const auto at = checkpoint.integers.find(particles_of_ranks);
   const std::size_t writers = at == checkpoint.integers.end() ? 1 : at->second.size();
-  if (writers != ranks) return {total * rank / ranks, total * (rank + 1) / ranks - total * rank / ranks, false};
+  const auto rows = checkpoint.integers.find(rows_of_ranks);
+  const bool fits =
+      writers == 1 ||
+      (rows != checkpoint.integers.end() && state.neighbourhood.parts().can_take(rows->second) &&
+       std::accumulate(at->second.begin(), at->second.end(), std::int64_t{0}) == state.scene.particle_count);
+  if (writers != ranks || !fits)
+    return {total * rank / ranks, total * (rank + 1) / ranks - total * rank / ranks, false};
   if (writers == 1) return {0, total, true};
   const auto before = std::accumulate(at->second.begin(), at->second.begin() + std::ptrdiff_t(rank), std::int64_t{0});
   return {static_cast<std::size_t>(before), static_cast<std::size_t>(at->second[rank]), true};

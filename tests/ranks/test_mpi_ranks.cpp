@@ -82,6 +82,23 @@ TEST(MpiRanks, SwapNumbers) {
     EXPECT_EQ(from_each[from], 10 * static_cast<int>(from) + ranks().rank());
 }
 
+TEST(MpiRanks, FindNoMinusZero) {
+  std::vector<double> numbers{ranks().rank() == 1 ? -0.0 : 2.0};
+  ranks().largest(numbers);
+  EXPECT_EQ(numbers[0], 2.0);
+}
+
+TEST(MpiRanks, SayWhatTheWorstOffSays) {
+  const std::string own(static_cast<std::size_t>(ranks().rank()) + 1, static_cast<char>('a' + ranks().rank()));
+  EXPECT_EQ(text_of_worst(ranks(), ranks().rank() == 1 ? HUGE_VAL : 1.0, own), "bb");
+  EXPECT_EQ(text_of_worst(ranks(), 0.0, own), "a");  // the first of equals
+}
+
+TEST(MpiRanks, NoticeWhereTextsDiffer) {
+  EXPECT_TRUE(same_on_all(ranks(), "a case"));
+  EXPECT_FALSE(same_on_all(ranks(), ranks().rank() == 1 ? "another case" : "a case"));
+}
+
 TEST(MpiRanks, TellWhetherItIsSoAnywhere) {
   EXPECT_TRUE(any(ranks(), ranks().rank() == ranks().count() - 1));
   EXPECT_FALSE(any(ranks(), false));

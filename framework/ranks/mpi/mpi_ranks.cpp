@@ -48,6 +48,7 @@ class MpiRanks final : public Ranks {
     const Timed timed(traffic_, 1, numbers.size_bytes());
     std::vector<std::uint64_t> bits(numbers.size());
     std::memcpy(bits.data(), numbers.data(), numbers.size_bytes());
+    for (std::uint64_t& number : bits) number &= ~(std::uint64_t{1} << 63U);  // of -0
     check(MPI_Allreduce(MPI_IN_PLACE, bits.data(), as_int(bits.size()), MPI_UINT64_T, MPI_MAX, MPI_COMM_WORLD),
           "finding the largest of all ranks");
     std::memcpy(numbers.data(), bits.data(), numbers.size_bytes());

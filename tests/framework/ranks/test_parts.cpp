@@ -93,7 +93,12 @@ TEST(Parts, MoveWhereOneRankHasTooMuch) {
 
 TEST(Parts, ComeBackFromACheckpoint) {
   Parts parts = parts_of("periodic_ghosts", 3);
-  parts.take(std::vector<std::int64_t>{0, 1, 2, 12});
+  using Rows = std::vector<std::int64_t>;
+  EXPECT_TRUE(parts.can_take(Rows{0, 1, 2, 12}));
+  EXPECT_FALSE(parts.can_take(Rows{0, 1, 12}));
+  EXPECT_FALSE(parts.can_take(Rows{0, 2, 2, 12}));
+  EXPECT_FALSE(parts.can_take(Rows{0, 1, 2, 11}));
+  parts.take(Rows{0, 1, 2, 12});
   EXPECT_EQ(parts.begins(), (std::vector<int>{0, 1, 2, 12}));
 }
 

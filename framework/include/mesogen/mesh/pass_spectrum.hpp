@@ -3,6 +3,7 @@
 #include <stdexcept>
 #include <variant>
 
+#include "mesogen/exec/sharing.hpp"
 #include "mesogen/mesh/device_spectrum.hpp"
 #include "mesogen/mesh/mode_loop.hpp"
 #ifndef __CUDACC__
