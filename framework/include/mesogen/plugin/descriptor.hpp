@@ -20,7 +20,7 @@ class Shape;
 enum class PluginKind : std::int32_t { kernel = 1, boundary = 2, physics = 3, observer = 4, initial = 5, shape = 6 };
 
 /// Raised whenever a public interface changes.
-#define MESOGEN_ABI 11
+#define MESOGEN_ABI 12
 inline constexpr std::int32_t abi_number = MESOGEN_ABI;
 inline constexpr std::uint64_t descriptor_magic = 0x4e45474f53454d31ULL;  // "1MESOGEN" in memory
 
