@@ -20,6 +20,7 @@ extern "C" void on_signal(int signal) {
 const std::atomic<bool>& stop_on_signal() {
   std::signal(SIGINT, on_signal);
   std::signal(SIGTERM, on_signal);
+  std::signal(SIGUSR1, on_signal);
   return stop;
 }
 

@@ -116,7 +116,7 @@ Result compute(int across, bool device) {
   }
   const Wrapped boundary;
   Neighbourhood neighbourhood(scene, boundary);
-  neighbourhood.update(particles);
+  (void)neighbourhood.sort(particles);
   const auto position = exec::pointers(particles.position, exec::Side::host);
   Neighbours<Real, 2> host{};
   neighbourhood.fill(host, exec::Side::host);

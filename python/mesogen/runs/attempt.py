@@ -36,7 +36,7 @@ class Attempt:
             os.makedirs(os.path.dirname(folder), exist_ok=True)
             words = command(self.program, sweep.case, self.run.overrides, folder)
         self._process = Process(words, self.records.state(self.run, "errors"), sweep.threads, sweep.timeout,
-                                gentle=True)
+                                gentle=True, ranks=sweep.ranks)
 
     def poll(self):
         """Its row of runs.csv after its end, None before. Raises StudyError if mesogen refuses it."""

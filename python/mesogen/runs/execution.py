@@ -34,27 +34,35 @@ def command(program, case, overrides, folder):
     return [program, "run", case, *set_arguments(overrides), "--output", folder]
 
 
-def command_line(program, case, overrides, folder, threads):
+def launched(words, ranks):
+    """The command as so many processes share it."""
+    return words if ranks == 1 else ["mpirun", "--bind-to", "none", "-n", str(ranks), *words]
+
+
+def command_line(program, case, overrides, folder, threads, ranks=1):
     """The command of a run, as one line for a shell."""
-    return shlex.join([*command(program, case, overrides, folder), "--threads", str(threads)])
+    return shlex.join(launched([*command(program, case, overrides, folder), "--threads", str(threads)], ranks))
 
 
 class Process:
     """A run in progress.
 
     words: its command. errors: file for its error messages, removed at its end. timeout: s of wall time, or None.
-    gentle: a run that has to end gets SIGTERM, and PATIENCE seconds to write a checkpoint; without it, it is killed.
+    gentle: a run that has to end is told by a signal, and has PATIENCE seconds to write a checkpoint; without it, it is killed.
+    ranks: processes that share the run.
     """
 
-    def __init__(self, words, errors, threads=1, timeout=None, gentle=False):
+    def __init__(self, words, errors, threads=1, timeout=None, gentle=False, ranks=1):
         self.words, self.errors, self.timeout, self.gentle = words, errors, timeout, gentle
+        # mpirun passes SIGUSR1 on; told to end itself, it would kill the ranks a second later.
+        self._gently = signal.SIGTERM if ranks == 1 else signal.SIGUSR1
         self._asked = None
         self._late = False
         environment = {**os.environ, "OMP_NUM_THREADS": str(threads)}
         with open(errors, "wb") as stream:
             self._begun = time.monotonic()
             # A process group of its own: Ctrl-C reaches this process alone, which then ends each run once.
-            self._process = subprocess.Popen([*words, "--quiet"], stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
+            self._process = subprocess.Popen(launched([*words, "--quiet"], ranks), stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
                                              stderr=stream, env=environment, preexec_fn=_die_with_parent,
                                              process_group=0)
 
@@ -74,7 +82,7 @@ class Process:
         """Asks it to end, without waiting; call poll() or stop() next."""
         if self._asked is None:
             self._asked = time.monotonic()
-            self._signal(signal.SIGTERM if self.gentle else signal.SIGKILL)
+            self._signal(self._gently if self.gentle else signal.SIGKILL)
 
     def stop(self):
         """Ends it and waits for its end. Does nothing after its end."""
@@ -152,7 +160,9 @@ def _die_with_parent():
 
 
 def without_prefix(text):
-    """Error messages of mesogen without warnings and without "error: " or "errors:" before them."""
+    """Error messages of mesogen without warnings and without "error: " or "errors:" before them, and without what
+    mpirun adds: all from its line of dashes on."""
+    text = text.split("-" * 60)[0]
     lines = [line for line in text.splitlines() if line.strip() and not line.startswith("warning: ")]
     if lines and lines[0] == "errors:":
         lines = lines[1:]

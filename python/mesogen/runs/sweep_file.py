@@ -4,8 +4,9 @@
     case = "../cases/active_turbulence/extensile.toml"  # relative to this file
     seeds = [1, 2, 3]                       # optional: each point is run once per seed
     seed_keys = ["director.seed"]           # optional: keys of the case that take the seed; this is the default
-    threads = 1                             # of each run
-    parallel = "auto"                       # runs at a time; auto: number of cores / threads
+    threads = 1                             # of each run; of each rank, if there are several
+    ranks = 1                               # processes that share each run
+    parallel = "auto"                       # runs at a time; auto: number of cores / (threads x ranks)
     timeout = 3600                          # s of wall time, optional: a run that takes longer is stopped
     [common]                                # optional: changed in all runs, dotted and quoted
     "time.end" = 600.0
@@ -66,6 +67,7 @@ class Sweep:
     seeds: tuple
     seed_keys: tuple
     threads: int
+    ranks: int
     parallel: int | None
     timeout: float | None
     common: dict
@@ -90,7 +92,7 @@ class Sweep:
     @property
     def at_a_time(self):
         """Number of runs at a time on this machine."""
-        return self.parallel or max(1, len(os.sched_getaffinity(0)) // self.threads)
+        return self.parallel or max(1, len(os.sched_getaffinity(0)) // (self.threads * self.ranks))
 
 
 def read_sweep(path, extra=None, seeds=None, threads=None, parallel=None):
@@ -105,7 +107,7 @@ def read_sweep(path, extra=None, seeds=None, threads=None, parallel=None):
     title, case = table.text("title"), table.text("case")
     given = tuple(table.integers("seeds", default=[], at_least=0))
     seed_keys = table.texts("seed_keys", default=["director.seed"])
-    its_threads, its_parallel = table.integer("threads", 1), _parallel(table)
+    its_threads, its_ranks, its_parallel = table.integer("threads", 1), table.integer("ranks", 1), _parallel(table)
     timeout = table.number("timeout", default=None, above=0)
     common = read_overrides(table.table("common"))
     points = [*grid_points(table.table("grid")), *named_points(table)]
@@ -118,7 +120,7 @@ def read_sweep(path, extra=None, seeds=None, threads=None, parallel=None):
         raise StudyError(problems)
     case = table.beside(case)
     sweep = Sweep(file, title, case, read_toml(case, "sweep's case"), seeds, tuple(seed_keys), threads or its_threads,
-                  parallel or its_parallel, timeout, {**common, **(extra or {})}, tuple(points) or (Point("", {}),),
+                  its_ranks, parallel or its_parallel, timeout, {**common, **(extra or {})}, tuple(points) or (Point("", {}),),
                   quantities)
     problems = [f"{file}: {problem}" for problem in conflicts(sweep, "seed_keys" in table, common)]
     if problems:

@@ -47,7 +47,8 @@ def list_runs(one, folder, program, write):
     """Calls write with a line for each run of the sweep: its status and its command."""
     records = Records(one, folder, Program(program))
     for run in one.runs:
-        command = command_line(program, one.case, run.overrides, records.results(run), one.threads)
+        command = command_line(program, one.case, run.overrides, records.results(run), one.threads,
+                               one.ranks)
         write(f"{records.status(run):8} {run.label}: {command}")
 
 

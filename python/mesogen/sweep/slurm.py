@@ -65,7 +65,7 @@ def script(sweep, folder, program, tasks, options="", at_a_time=None, retry=Fals
     lines = [
         f"--job-name={re.sub(r'[^A-Za-z0-9_.-]', '_', sweep.name)}",
         f"--array=1-{tasks}" + (f"%{at_a_time}" if at_a_time else ""),
-        "--ntasks=1", f"--cpus-per-task={sweep.threads}",
+        f"--ntasks={sweep.ranks}", f"--cpus-per-task={sweep.threads}",
         f'--output="{log}"' if " " in log else f"--output={log}",
         f"--signal=B:TERM@{GRACE}",
         *_option_lines(options),
