@@ -95,7 +95,7 @@ const exec::Array<Index>& Neighbourhood::reorder(Particles& particles) {
 void Neighbourhood::order(Particles& particles) {
   sort_particles(particles);
   find_cells(sorted_position_);
-  build_ghosts(std::as_const(particles.id).host());
+  build_ghosts(particles);
   neighbours_found_ = false;
 }
 
@@ -104,7 +104,7 @@ void Neighbourhood::restore(const Particles& particles, const std::array<std::ve
   for (int d = 0; d < scene_.dimension; ++d) sorted_position_[d].assign(sorted_position[d]);
   sorted_ = true;
   find_cells(sorted_position_);
-  build_ghosts(particles.id.host());
+  build_ghosts(particles);
   neighbours_found_ = false;
 }
 
@@ -141,12 +141,12 @@ void Neighbourhood::find_cells(const exec::AxisArrays<double>& position) {
 
 // Ghosts are found by cell as particles are; those of the walls have tables of their own. Cells beyond the faces keep
 // what they had where there are no ghosts: nothing.
-void Neighbourhood::build_ghosts(std::span<const std::int64_t> ids) {
+void Neighbourhood::build_ghosts(const Particles& particles) {
   const Index count = own();
   const auto at = exec::pointers(sorted_position_, device);
   ImageSearch search = image_search(scene_, ghosts_.images(), at.data(), count, scene_.support + skin_);
   if (ranks_.several()) {
-    halo_.find(parts_, search, cell_of_, rows_seen_, ids);
+    halo_.find(parts_, search, cell_of_, rows_seen_, particles.id.host());
     halo_.bring_positions(sorted_position_, scene_.dimension);
     std::ranges::copy(exec::pointers(halo_.position(), device), search.of_others);
     search.slab = parts_.slab(ranks_.rank(), rows_seen_);

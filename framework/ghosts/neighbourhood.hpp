@@ -108,7 +108,7 @@ class MESOGEN_EXPORT Neighbourhood {
   void keep_inside(Particles& particles);
   void sort_particles(Particles& particles);
   void find_cells(const exec::AxisArrays<double>& position);
-  void build_ghosts(std::span<const std::int64_t> ids);
+  void build_ghosts(const Particles& particles);
   void make_room();
   template <class Real>
   [[nodiscard]] exec::AxisArrays<Real>& local() {
