@@ -29,7 +29,7 @@ Neighbourhood::Neighbourhood(const Scene& scene, const Boundary& boundary, const
       ranks_(ranks),
       skin_(skin_in_spacings * scene.spacing),
       grid_(scene, boundary, scene.support + skin_),
-      parts_(grid_, ranks),
+      parts_(grid_, ranks.count()),
       sorted_position_(exec::axis_arrays<double>(backend.memory())),
       order_(backend.memory()),
       cell_of_(backend.memory()),

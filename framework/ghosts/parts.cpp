@@ -14,13 +14,13 @@ constexpr double worth_moving = 1.03;
 
 }  // namespace
 
-Parts::Parts(const CellGrid& grid, const Ranks& ranks)
+Parts::Parts(const CellGrid& grid, int ranks)
     : axis_(grid.dimension() - 1),
       rows_(grid.cells(axis_)),
       cells_in_row_(grid.inside_count() / rows_),
       height_(grid.width(axis_)),
       wrapped_(grid.wrapped(axis_)),
-      ranks_(ranks.count()) {
+      ranks_(ranks) {
   if (ranks_ > rows_)
     throw Error(ExitCode::bad_case, std::to_string(ranks_) + " ranks cannot share a box of " + std::to_string(rows_) +
                                         " rows of cells: take at most " + std::to_string(rows_) + " ranks");

@@ -9,7 +9,6 @@
 #include "mesogen/plugin/scene.hpp"
 #include "neighbours/cell_grid.hpp"
 #include "neighbours/cell_loops.hpp"
-#include "ranks/ranks.hpp"
 
 namespace mesogen {
 
@@ -18,7 +17,7 @@ namespace mesogen {
 class MESOGEN_EXPORT Parts {
  public:
   /// Equal numbers of rows. Throws Error(bad_case) if there are more ranks than rows.
-  Parts(const CellGrid& grid, const Ranks& ranks);
+  Parts(const CellGrid& grid, int ranks);
 
   [[nodiscard]] int axis() const { return axis_; }
   [[nodiscard]] int rows() const { return rows_; }

@@ -79,12 +79,6 @@ std::vector<T> gather(const Ranks& ranks, std::span<const T> own) {
   return all;
 }
 
-/// The sum over all ranks, in their order.
-inline double sum(const Ranks& ranks, double number) {
-  ranks.add(std::span(&number, 1));
-  return number;
-}
-
 /// What the rank says whose number is the largest (at or above 0), the first of those that have the same: on all ranks.
 MESOGEN_EXPORT std::string text_of_worst(const Ranks& ranks, double number, const std::string& text);
 

@@ -2,12 +2,11 @@
 
 #include <gtest/gtest.h>
 
-#include <memory>
-#include <numeric>
 #include <vector>
 
 #include "error_of.hpp"
 #include "ghosts/parts.hpp"
+#include "ranks/ranks.hpp"
 #include "test_plugins.hpp"
 
 namespace {
@@ -15,34 +14,13 @@ namespace {
 using namespace mesogen;
 using namespace mesogen::test;
 
-/// So many ranks, of which this is the first; they never talk.
-class SilentRanks final : public Ranks {
- public:
-  explicit SilentRanks(int count) : count_(count) {}
-  [[nodiscard]] int rank() const override { return 0; }
-  [[nodiscard]] int count() const override { return count_; }
-  void largest(std::span<double>) const override {}
-  void add(std::span<double>) const override {}
-  void add(std::span<float>) const override {}
-  void add(std::span<std::int64_t>) const override {}
-  void broadcast(std::span<std::byte>) const override {}
-  [[nodiscard]] std::vector<std::int64_t> swap(std::span<const std::int64_t> numbers) const override {
-    return {numbers.begin(), numbers.end()};
-  }
-  void exchange(std::span<const Outgoing>, std::span<const Incoming>) const override {}
-  [[noreturn]] void abort(int) const override { std::abort(); }
-
- private:
-  int count_;
-};
-
 /// Of a box of 8 x 12 in which neighbours are looked for as far as 2: 12 rows.
 Parts parts_of(const std::string& boundary_name, int ranks) {
   Scene scene;
   scene.dimension = 2;
   scene.box = {8.0, 12.0, 0.0};
   const auto boundary = built_plugins().make_boundary(boundary_name, 2);
-  return {CellGrid(scene, *boundary, 2.0), SilentRanks(ranks)};
+  return {CellGrid(scene, *boundary, 2.0), ranks};
 }
 
 TEST(Parts, AreWholeRowsOfCells) {
